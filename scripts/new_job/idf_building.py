@@ -28,6 +28,8 @@ LEFT_OUT = (
     ("daylighting:", "lights that daylight dims"), ("energymanagementsystem:program", "programs of EnergyPlus"),
     ("refrigeration:", "refrigeration"), ("generator:", "generators"),
     ("zonehvac:lowtemperatureradiant", "radiant systems"),
+    ("zonebaseboard:outdoortemperaturecontrolled", "baseboards by outdoor temperature; a load may stand for them"),
+    ("electricequipment:ite", "computers that air cools; a load may stand for them"),
     *((kind, "fans; an [[air_system]] may stand for them")
       for kind in ("fan:variablevolume", "fan:componentmodel", "fan:zoneexhaust")),
     ("runperiodcontrol:specialdays", "holidays; those of --place hold"))
@@ -192,7 +194,9 @@ def envelope_of(found):
 def loads_of(found, others):
     """Those of the file, and hot water, which is a table's where the file has none."""
     names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible", "fans": found.fans_say,
-             idf_outside.OUTSIDE_LIGHTS: "lights outside", idf_outside.HOT_WATER: "hot water, with losses of its tanks"}
+             idf_outside.OUTSIDE_LIGHTS: "lights outside",
+             **dict.fromkeys(idf_outside.OUTSIDE_EQUIPMENT.values(), "equipment outside"),
+             idf_outside.HOT_WATER: "hot water, with losses of its tanks"}
     loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
              for name, profile in found.whole.loads.items()]
     return [*loads, *(load for load in others if load.name == idf_outside.HOT_WATER and

@@ -83,6 +83,7 @@ _TABLE = {
         "calculation_method temperature_schedule_name annual_average_outdoor_air_temperature "
         "maximum_difference_in_monthly_average_outdoor_air_temperatures",
     "exterior:lights": "name schedule_name design_level control_option",
+    "exterior:fuelequipment": "name fuel_use_type schedule_name design_level",
     "wateruse:equipment": "name end_use_subcategory peak_flow_rate flow_rate_fraction_schedule_name "
                           "target_temperature_schedule_name hot_water_supply_temperature_schedule_name "
                           "cold_water_supply_temperature_schedule_name zone_name",
@@ -291,7 +292,7 @@ MOST_FIELDS = {
     "windowmaterial:simpleglazingsystem": 4, "windowmaterial:glazing": 21, "windowmaterial:gas": 14,
     "windowmaterial:gasmixture": 11, "people": 29, "lights": 17, "electricequipment": 11, "gasequipment": 12,
     "zoneinfiltration:designflowrate": 13, "zoneventilation:designflowrate": 27, "designspecification:outdoorair": 8,
-    "exterior:lights": 5, "wateruse:equipment": 10}
+    "exterior:lights": 5, "exterior:fuelequipment": 5, "wateruse:equipment": 10}
 WHOLE = ("zone", "zonegroup", "internalmass", "material:airgap", "construction", "thermostatsetpoint:dualsetpoint",
          "thermostatsetpoint:singleheating", "thermostatsetpoint:singlecooling",
          "thermostatsetpoint:singleheatingorcooling", "schedule:constant", "schedule:day:hourly",

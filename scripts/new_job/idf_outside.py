@@ -1,8 +1,8 @@
-"""What an EnergyPlus file draws outside of its zones: lights outdoors and hot water, which no room feels.
+"""What an EnergyPlus file draws outside of its zones: lights and equipment outdoors and hot water, which no room feels.
 
-Source: EnergyPlus Input Output Reference, Exterior:Lights, WaterUse:Equipment, WaterHeater:Mixed; Engineering
-Reference, Water Mains Temperatures (Christensen and Burch). Lights of an astronomical clock burn while the sun is down.
-Leaves out pumps, parasitic power, and heaters other than mixed tanks.
+Source: EnergyPlus Input Output Reference, Exterior:Lights and FuelEquipment, WaterUse:Equipment, WaterHeater:Mixed;
+Engineering Reference, Water Mains Temperatures (Christensen and Burch). Lights of an astronomical clock burn while the
+sun is down. Leaves out pumps, parasitic power, and heaters other than mixed tanks.
 """
 import math
 
@@ -13,13 +13,16 @@ from new_job.idf_schedules import DAYS, HOURS, KINDS, MONTH_DAYS
 from new_job.profile import Profile
 
 OUTSIDE_LIGHTS, HOT_WATER = "outside_lights", "hot_water"
+# {carrier: load} of lifts, car chargers, snow melting and other things outdoors.
+OUTSIDE_EQUIPMENT = {"electricity": "outside_equipment", "gas": "outside_gas_equipment",
+                     "district": "outside_district_equipment"}
 SUMMER_MONTHS = range(4, 11)   # whose clocks are an hour ahead, where there is summer time
 USUAL_NIGHT = (6, 18)          # its end and begin, where the place is not known
 WATER = 4.18e6                 # J/(m3 K)
 USUAL_MAINS = 10               # degC, EnergyPlus's where the file has none
 USUAL_EFFICIENCY = 0.8
 ROOM = 20                      # degC around a tank that stands in one
-CARRIERS = idf_plant.FUELS | dict.fromkeys(("districtheating", "districtheatingwater"), "district")
+CARRIERS = idf_plant.IDEAL_FUELS | {"districtheating": "district"}
 HEATER, DRAW = "WaterHeater:Mixed", "WaterUse:Equipment"
 
 
@@ -67,6 +70,20 @@ def lights(model, schedules, dark):
         total += thing.number("design_level", 0, 0, 1e9) * schedules.of(thing, "schedule_name") * (
             dark if by_clock else 1)
     return total
+
+
+def equipment(model, schedules, left_out):
+    """{carrier: [W]}; other fuels are told."""
+    found = {}
+    for thing in model.all("Exterior:FuelEquipment"):
+        carrier = CARRIERS.get(thing.word("fuel_use_type"))
+        if carrier is None:
+            left_out.append(f'{thing.kind} "{thing.name}" by {thing.text("fuel_use_type", "no fuel")}, of which a job '
+                            "has no meter")
+            continue
+        found[carrier] = found.get(carrier, 0) + thing.number("design_level", 0, 0, 1e9) * \
+            schedules.of(thing, "schedule_name")
+    return found
 
 
 def mains(model, schedules):
@@ -134,4 +151,6 @@ def loads_of(model, schedules, zones, dark, area, left_out):
     water, carrier = hot_water(model, schedules, zones, left_out)
     found = {OUTSIDE_LIGHTS: Profile(lights(model, schedules, dark) / area, 0, "electricity"),
              HOT_WATER: Profile(water / area, 0, carrier)}
+    found |= {OUTSIDE_EQUIPMENT[fuel]: Profile(power / area, 0, fuel)
+              for fuel, power in equipment(model, schedules, left_out).items()}
     return {name: profile for name, profile in found.items() if profile.values.any()}

@@ -892,6 +892,26 @@ class Box(unittest.TestCase):
         self.assertEqual(set(lights.values[0, 0]), {0, 1})
         self.assertNotIn("outside_lights", self.read(BOX).whole.loads)
 
+    def test_equipment_outside_is_a_load_by_its_fuel(self):
+        """No room feels it; what a job has no meter of is told."""
+        text = "Schedule:Constant, Half, , 0.5;\n" + "".join(
+            f"Exterior:FuelEquipment, {name}, {fuel}, Half, 320;\n" for name, fuel in (
+                ("Lift", "Electricity"), ("Charger", "Electricity"), ("Ramp", "NaturalGas"),
+                ("Path", "DistrictHeatingWater"), ("Pond", "Water")))
+        found = self.read(BOX + text)
+        loads = {name: found.whole.loads[f"outside_{name}"]
+                 for name in ("equipment", "gas_equipment", "district_equipment")}
+        self.assertEqual({name: (load.carrier, load.share, float(load.values.max())) for name, load in loads.items()},
+                         {"equipment": ("electricity", 0, 2), "gas_equipment": ("gas", 0, 1),
+                          "district_equipment": ("district", 0, 1)})
+        self.assertIn('Exterior:FuelEquipment "Pond" by Water, of which a job has no meter', found.left_out)
+
+    def test_baseboards_by_outdoor_temperature_and_computers_are_told(self):
+        said = "\n".join(self.read(BOX + "ZoneBaseboard:OutdoorTemperatureControlled, B; "
+                                   "ElectricEquipment:ITE:AirCooled, C;\n").left_out)
+        for words in ("ZoneBaseboard:OutdoorTemperatureControlled: baseboards", "ElectricEquipment:ITE:AirCooled: "):
+            self.assertIn(words, said)
+
     def test_nights_are_those_of_the_place(self):
         """Sunrise and sunset at Greenwich on 21 March and 21 June, to five minutes: NOAA's solar calculator."""
         for day, end, begin in ((80, 6 + 8 / 60, 18 + 7 / 60), (172, 3 + 52 / 60, 20 + 12 / 60)):
@@ -1083,6 +1103,13 @@ class Job(usual.New):
         self.new(force=True)
         (prior,) = (p for p in self.checked()["parameter"] if p["name"] == "heat_capacity")
         self.assertEqual((prior["prior"]["mean"], prior["prior"]["sd"]), (165000, 100000))
+
+    def test_equipment_outside_is_in_the_job(self):
+        self.from_file(self.box(BOX + "Exterior:FuelEquipment, Lift, Electricity, Work, 320;\n"))
+        job = self.checked()
+        (load,) = (each for each in job["zone"][0]["load"] if each["name"] == "outside_equipment")
+        self.assertEqual((load["density"]["value"], load["carrier"], load["heat_fraction"]), (2, "electricity", 0))
+        self.assertIn("outside_equipment", {p["name"] for p in job["parameter"]})
 
     def test_recovered_heat_is_in_the_flow(self):
         text = "ZoneHVAC:EquipmentConnections, Room, List;\nZoneHVAC:EquipmentList, List, SequentialLoad, " \
