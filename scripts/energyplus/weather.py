@@ -1,9 +1,11 @@
 """The hours of a job's periods, and the EPW file of each calendar year.
 
 A period lasts from its first day, 0 h, to the end of its last, in the weather's standard time. Every run gets a copy of
-its EPW with the rows of its year alone and a header that says so; row k is the hour that ends at its time. Source:
-EnergyPlus, Auxiliary Programs, EPW. Leaves out EPW files of less than an hour.
+its EPW with the rows of its year alone and a header that says so; row k is the hour that ends at its time. A leap year
+whose rows go from 28 February to 1 March has the 28th twice, as in the job's own model. Source: EnergyPlus, Auxiliary
+Programs, EPW. Leaves out EPW files of less than an hour.
 """
+import calendar
 import csv
 import datetime
 import gzip
@@ -131,9 +133,19 @@ def hour_of(row, year):
     return day + (int(row[HOUR]) - 1) * HOURS
 
 
+def with_leap_day(rows, year):
+    """28 February stands for a 29th that a leap year lacks."""
+    days = [(int(row[MONTH]), int(row[DAY])) for row in rows]
+    at = days.index((3, 1)) if (3, 1) in days else 0
+    if not calendar.isleap(year) or not at or days[at - 1] != (2, 28):
+        return rows
+    again = [[*row[:DAY], "29", *row[DAY + 1:]] for row, day in zip(rows, days) if day == (2, 28)]
+    return [*rows[:at], *again, *rows[at:]]
+
+
 def write_epw(path, epw, rows, year, shift):
     """A copy of these rows; `shift`: {begin of hour: K} on the outdoor temperature."""
-    rows = [[str(year), *row[1:]] for row in rows]
+    rows = [[str(year), *row[1:]] for row in with_leap_day(rows, year)]
     if shift:
         for row in rows:
             by = shift.get(hour_of(row, year), 0)

@@ -118,6 +118,24 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(rows), 96)
         self.assertEqual(rows[24:48], rows[48:72])
 
+    def test_a_leap_year_without_its_day_has_the_day_before_again(self):
+        """Outdoor temperature is the day of the month; what warms the 29th does not warm the 28th."""
+        path = self.folder / "2020.epw"
+        write_epw(path, datetime.date(2020, 1, 1), 366)
+        lines = [line for line in path.read_text().splitlines() if not line.startswith("2020,2,29,")]
+        path.write_text("\n".join(lines) + "\n")
+        self.periods("leap,2020-02-28,2020-03-01")
+        rooms = [float(row["room"]) - 3 for row in self.rows()]
+        self.assertEqual([round(each) for each in rooms[::24]], [28, 28, 1])
+        self.effect([0] * 24 + [2] * 24 + [0] * 24, name="warm", hook="outdoor air", column="w")
+        self.assertEqual([round(float(row["room"]) - 3) for row in self.rows()][::24], [28, 30, 1])
+        for year, days in ((2020, [(2, 28), (2, 29), (3, 1)]), (2021, [(2, 28), (3, 1)])):
+            rows = [[str(year), str(month), str(day), "1"] for month, day in ((2, 28), (3, 1))]
+            self.assertEqual([(int(row[1]), int(row[2])) for row in weather.with_leap_day(rows, year)], days)
+        for before in (("2", "29"), ("2", "27"), ("3", "1")):
+            rows = [["2020", *before, "1"], ["2020", "3", "1", "2"]]
+            self.assertEqual(weather.with_leap_day(rows, 2020), rows)
+
     def test_a_packed_weather_file(self):
         subprocess.run(["gzip", self.folder / "2020.epw"], check=True)
         self.run_file["weather"][0] = "2020.epw.gz"
