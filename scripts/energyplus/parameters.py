@@ -73,6 +73,10 @@ ROW = ("parameter", "class", "object", "field", "how")   # keys of a row
 LEAST_ALIKE, MOST_NAMES = 0.6, 6   # of names that are told as the nearest; told where none is
 
 
+class NothingChanges(Failed):
+    """A parameter that the model has no object for."""
+
+
 def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
@@ -88,8 +92,8 @@ def apply(model, values, rows, changes, plant):
         of_rows = [row for row in rows if row.get("parameter") == name]
         count = apply_rows(model, name, value, of_rows) if of_rows else apply_usual(model, name, value, changes, plant)
         if not count:
-            raise Failed(f"parameters: {name}: {model.path} has nothing that it changes; take it out of run.json.in "
-                         "and of the job, or give it a row in \"rows\"")
+            raise NothingChanges(f"parameters: {name}: {model.path} has nothing that it changes; take it out of "
+                                 "run.json.in and of the job, or give it a row in \"rows\"")
 
 
 def apply_usual(model, name, value, changes, plant):

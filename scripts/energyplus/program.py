@@ -12,13 +12,27 @@ import subprocess
 from energyplus.failed import Failed, read_text
 from energyplus.model import read_epjson, version_of
 
-WITHOUT_A_JOB = "set ENERGYPLUS_DIR to its folder, such as /usr/local/EnergyPlus-25-2-0, or put it on PATH"
-HELP = f'write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, {WITHOUT_A_JOB}'
 MOST_WORDS = 300               # letters of a message of EnergyPlus that are passed on
 MOST_MESSAGES = 3              # of eplusout.err
 CONTINUED = "**   ~~~   **"    # a line that goes on with the one above
 CONVERTER = "ConvertInputFormat"
 UPDATER = "IDFVersionUpdater"
+
+
+def help_of(version):
+    """How a version is found; `without_a_job` knows its beginning."""
+    folder = f"/usr/local/EnergyPlus-{'-'.join(map(str, version))}-0"
+    return f'write "energyplus": "{folder}" in run.json.in, set ENERGYPLUS_DIR to its folder, such as {folder}, or ' \
+           "put it on PATH"
+
+
+HELP = help_of((25, 2))
+IN_RUN_FILE = r'write "energyplus": "[^"]*" in run\.json\.in, '
+
+
+def without_a_job(error):
+    """A message without the run file, where none is there yet."""
+    return re.sub(IN_RUN_FILE, "", str(error))
 
 
 def as_program(said):
@@ -72,7 +86,7 @@ def check_version(path, version, program):
     if version == own:
         return
     how = (f"bring it up to date by EnergyPlus's {UPDATER} (programs Transition-{transition(version)}-to-... up to "
-           f"{transition(own)})" if version < own else f"use EnergyPlus {dotted(version)}: {HELP}")
+           f"{transition(own)})" if version < own else f"use EnergyPlus {dotted(version)}: {help_of(version)}")
     raise Failed(f"{path}: Version: is {dotted(version)}, but {program} is EnergyPlus {dotted(own)}; {how}")
 
 

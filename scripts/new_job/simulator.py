@@ -79,7 +79,7 @@ def check_version(path):
     try:
         program.check_version(path, program.version_in(path), found)
     except Failed as error:
-        raise Refused(f"--simulator: {error}", DATA) from None
+        raise Refused(f"--simulator: {program.without_a_job(error)}", DATA) from None
 
 
 def read_model(options, told):
@@ -87,9 +87,11 @@ def read_model(options, told):
     try:
         found = program.find_program()
         with tempfile.TemporaryDirectory() as folder:
-            return program.read_model(found, options.idf, folder), found
+            model = program.read_model(found, options.idf, folder)
+        model.path = options.idf       # the user's, and no copy of it
+        return model, found
     except Failed as error:
-        said = str(error).replace(program.HELP, program.WITHOUT_A_JOB)    # run.json.in is not there yet
+        said = program.without_a_job(error)
         if not options.idf.lower().endswith(".idf") and "was not found" in said:
             told.check(f"--simulator: {said}; its version was not compared")
             return program.read_epjson(options.idf), ""
@@ -127,6 +129,9 @@ def parameters_of(model, plant, told):
         tried = model.copy()
         try:
             parameters.apply(tried, {name: PROBE}, [], Changes(tried, HOURS_OF_YEAR), hours.plant_of(tried, plant))
+        except parameters.NothingChanges:
+            told.leave_out(f"simulator's parameter {name}: {model.path} has nothing that it changes")
+            continue
         except Failed as error:
             told.leave_out(f"simulator's parameter {name}: {error}")
             continue

@@ -19,6 +19,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "generator"), str(RO
 
 import energyplus_office as office  # noqa: E402  (found above)
 import test_new as usual  # noqa: E402
+import test_new_idf  # noqa: E402
 from energyplus import effects  # noqa: E402
 
 NEW = ROOT / "scripts" / "new"
@@ -125,7 +126,7 @@ class Simulator(unittest.TestCase):
         given["WindowMaterial:SimpleGlazingSystem"] = {"Odd": {"u_factor": 2, "solar_heat_gain_coefficient": 0.5}}
         self.write(given)
         said = self.new()
-        self.assertIn("left out: simulator's parameter lights", said)
+        self.assertIn(f"left out: simulator's parameter lights: {self.model} has nothing that it changes\n", said)
         self.assertNotIn("@lights@", self.template())
         self.assertIn("@u_windows@", self.template())
 
@@ -170,6 +171,31 @@ class Simulator(unittest.TestCase):
             said = self.new(code=DATA)
             for word in words:
                 self.assertIn(word, said)
+
+    def test_a_newer_version_is_told_with_its_own_folder(self):
+        """The run file, in which the program may be named, is not there yet."""
+        given = office.model()
+        given["Version"]["Version 1"]["version_identifier"] = "26.1"
+        self.write(given)
+        said = self.new(code=DATA)
+        for words in ("use EnergyPlus 26.1: set ENERGYPLUS_DIR to its folder", "/usr/local/EnergyPlus-26-1-0,"):
+            self.assertIn(words, said)
+        self.assertNotIn("run.json.in", said)
+        self.assertNotIn("25-2-0", said)
+
+    def test_messages_name_the_user_s_file(self):
+        """Of an IDF, of which EnergyPlus makes a copy."""
+        given = office.model()
+        del given["People"]
+        program = self.folder / "program"
+        program.mkdir()
+        shutil.copy(STUB, program / "energyplus")
+        (program / "model.epJSON").write_text(json.dumps(given))
+        self.model = self.folder / "mine.idf"
+        self.model.write_text(test_new_idf.BOX)
+        said = self.new(energyplus=program)
+        self.assertIn(f"left out: simulator's parameter people: {self.model} has nothing that it changes\n", said)
+        self.assertNotIn(tempfile.gettempdir() + "/tmp", said.replace(str(self.folder), "").replace(str(self.made), ""))
 
     def test_what_is_no_energyplus(self):
         self.assertIn("is not EnergyPlus", self.new(code=DATA, energyplus="/usr/bin/ls"))
