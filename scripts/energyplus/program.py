@@ -11,6 +11,7 @@ import subprocess
 
 from energyplus.failed import Failed, read_text
 from energyplus.model import read_epjson, version_of
+from new_job import idf_text
 
 MOST_WORDS = 300               # letters of a message of EnergyPlus that are passed on
 MOST_MESSAGES = 3              # of eplusout.err
@@ -193,14 +194,14 @@ def read_model(program, path, folder):
         idf = convert(program, path.resolve(), folder)
     else:
         try:
-            text = path.read_text(encoding="utf-8", errors="replace")
+            text, _ = idf_text.decoded(path.read_bytes())
         except OSError as error:
             raise Failed(f"{path}: {error.strerror}; expected an EnergyPlus model, .epJSON or .idf") from None
         check_version(path, idf_version(path, text), program)
         folder.mkdir(parents=True, exist_ok=True)
         idf = folder / path.name
         if not idf.exists():
-            shutil.copyfile(path, idf)
+            idf.write_text(text, encoding="utf-8")     # whatever it was
         if "hvactemplate:" not in text.lower():
             return read_epjson(convert(program, idf, folder))
     return read_epjson(convert(program, expand(program, idf, folder), folder))

@@ -132,8 +132,8 @@ def refuse_more(path, row, version):
                       "has a point, no comma: 10.76")
 
 
-def objects_of_idf(path):
-    rows = split_objects(path, idf_text.of_idf(path))
+def objects_of_idf(path, checks):
+    rows = split_objects(path, idf_text.of_idf(path, checks))
     said = next((row[1] for row in rows if row[0].lower() == "version" and len(row) > 1), None)
     if said is None:
         raise Refused(f"{path}: has no object Version; expected an input file of {ADVICE}")
@@ -173,4 +173,7 @@ def objects_of_json(path):
 
 def read_model(path):
     is_json = path.lower().endswith((".epjson", ".json"))
-    return Model(path, objects_of_json(path) if is_json else objects_of_idf(path))
+    checks = []
+    model = Model(path, objects_of_json(path) if is_json else objects_of_idf(path, checks))
+    model.checks += checks
+    return model

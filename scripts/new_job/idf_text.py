@@ -1,10 +1,11 @@
-"""The text of an EnergyPlus file: its encoding, and lines that are not EnergyPlus's. UTF-16 is read, which EnergyPlus
-does not."""
+"""The text of an EnergyPlus file: its encoding, and lines that are not EnergyPlus's. UTF-16 and Windows-1252 are read,
+which EnergyPlus does not."""
 import codecs
 
 from new_job.refused import NO_INPUT, Refused
 
 BYTE_ORDER_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+WINDOWS = "cp1252"             # of western Europe; what is no UTF-8 is taken for it
 MOST_LETTERS = 60              # of a line of the file in a message
 
 
@@ -29,12 +30,25 @@ def refuse_macros(path, text):
                       "out.idf")
 
 
-def of_idf(path):
+def decoded(given):
+    """(text, encoding) of an IDF file's bytes."""
+    encoding = encoding_of(given) or "utf-8"
+    try:
+        return given.decode(encoding), encoding
+    except UnicodeDecodeError:
+        encoding = WINDOWS if encoding == "utf-8" else encoding
+        return given.decode(encoding, errors="replace"), encoding
+
+
+def of_idf(path, checks):
+    """`checks` takes a line on an encoding that is guessed."""
     given = read_bytes(path)
-    encoding = encoding_of(given)
-    if not encoding and b"\0" in given:
+    if not encoding_of(given) and b"\0" in given:
         raise Refused(f"{path}: has bytes of 0, as UTF-16 or a file that is no text; expected an IDF file in UTF-8")
-    text = "\n".join(given.decode(encoding or "utf-8", errors="replace").splitlines())
+    text, encoding = decoded(given)
+    if encoding == WINDOWS:
+        checks.append(f"{path}: is not UTF-8; it was read as Windows-1252: save it as UTF-8 if letters are wrong")
+    text = "\n".join(text.splitlines())
     refuse_macros(path, text)
     return text
 
@@ -44,4 +58,7 @@ def of_json(path):
     if encoding_of(given):
         raise Refused(f"{path}: begins with a byte order mark ({encoding_of(given)}); expected epJSON in UTF-8 without "
                       "one")
-    return given.decode("utf-8", errors="replace")
+    try:
+        return given.decode("utf-8")
+    except UnicodeDecodeError:
+        raise Refused(f"{path}: is not UTF-8; save it as UTF-8") from None

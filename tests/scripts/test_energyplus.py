@@ -17,6 +17,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -203,6 +204,17 @@ class Runs(unittest.TestCase):
         (self.folder / "house.idf").write_text("Version, 9.1;\n")
         (self.folder / "hours.csv").unlink()
         self.fails("house.idf", "9.1")
+
+    def test_idf_reaches_energyplus_in_utf_8(self):
+        source = self.folder / "house.idf"
+        for encoding in ("utf-8", "cp1252", "utf-16"):
+            source.write_bytes("Version, 25.2;\nZone, B\u00fcro;\n".encode(encoding))
+            into = self.folder / encoding
+            into.mkdir()
+            with unittest.mock.patch.object(program, "convert", lambda _, source, __: source), \
+                    unittest.mock.patch.object(program, "read_epjson", lambda path: path):
+                self.assertEqual(program.read_model(STUB, source, into).read_text(encoding="utf-8"),
+                                 "Version, 25.2;\nZone, B\u00fcro;\n")
 
     def test_rows_that_find_nothing(self):
         good = {"parameter": "mass", "class": "Lights", "field": "watts_per_floor_area", "how": "factor"}

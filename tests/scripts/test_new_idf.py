@@ -496,6 +496,22 @@ class Box(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "'##include wall.inc' is a line of EP-Macro; run"):
             self.read("! comment\n  ##include wall.inc\n" + BOX)
 
+    def test_letters_of_windows(self):
+        """Names of zones that differ by such a letter alone stay apart; epJSON has to be UTF-8."""
+        text = TWO.replace("Store", "B\u00fcro").replace("Room", "B\u00f6ro")
+        for encoding, is_told in (("utf-8", False), ("cp1252", True)):
+            path = self.folder / "box.idf"
+            path.write_bytes(text.encode(encoding))
+            found = idf_building.read_building(str(path), has_rooms=True)
+            self.assertEqual([room.name for room in found.rooms], ["B\u00f6ro", "B\u00fcro"])
+            self.assertEqual([line for line in found.checks if "is not UTF-8; it was read as Windows-1252" in line],
+                             found.checks)
+            self.assertEqual(len(found.checks), is_told)
+        path = self.folder / "box.epJSON"
+        path.write_bytes("{\"B\u00fcro\": 1}".encode("cp1252"))
+        with self.assertRaisesRegex(Refused, "box.epJSON: is not UTF-8; save it as UTF-8"):
+            idf_building.read_building(str(path))
+
     def test_soil_of_a_green_roof_is_a_layer(self):
         soil = "Material:RoofVegetation, Soil, , , , , , , , 0.2, 0.4, 1000, 1500, 0.9, 0.6;\n"
         shell = self.read(BOX.replace("Construction, Roof, Wool,", "Construction, Roof, Soil,") + soil).whole.shell
