@@ -46,6 +46,8 @@ def days_of(thing):
     n_items = (LEAP_HOURS if is_leap else DAYS * HOURS) * 60 // minutes
     try:
         values = np.array([float(cell) for cell in cells_of(thing, n_items)])
+    except OSError as error:
+        thing.refuse("file_name", f"{path_of(thing)}: {error.strerror}; expected a file that can be read")
     except ValueError as error:
         thing.refuse("file_name", f"{path_of(thing)}: {error}; expected a number, with a point, in each row")
     if not np.isfinite(values).all():

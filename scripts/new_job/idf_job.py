@@ -344,7 +344,8 @@ def most_factor(first, name):
 def priors_of(first):
     several = len(first.model.rooms) > 1
     for prior in (*envelope_priors(first), *flow_priors(first), *load_priors(first), *plant_priors(first)):
-        of_rooms = prior.name in OF_ROOMS or getattr(first.model.whole, prior.name, None) is not None
+        of_rooms = prior.name in OF_ROOMS or any(getattr(room, prior.name, None) is not None
+                                                 for room in first.model.rooms)
         yield as_factor(first, prior) if several and of_rooms and prior.mean > 0 else prior
 
 

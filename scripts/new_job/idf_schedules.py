@@ -241,6 +241,7 @@ class Schedules:
     def __init__(self, model, set_points=USUAL_SET_POINTS):
         """`set_points`: heating's and cooling's, usual of the use."""
         self.model, self.known = model, {}
+        self.shares_controlled = {}    # {name: what idf_use finds of a schedule of types of control}
         self.usual = USUAL | dict.fromkeys(HEATING_OF, set_points[0]) | dict.fromkeys(COOLING_OF, set_points[1])
 
     def of(self, thing, key):

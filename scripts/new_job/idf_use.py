@@ -23,6 +23,7 @@ WIND_HEIGHT = 10               # m
 MOST_ABOVE = 3
 ROOM = 22                      # degC, where a zone has not both
 PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
+# Types of a thermostat's control, and what each does.
 CONTROLS = {0: (), 1: ("heating",), 2: ("cooling",), 3: ("heating", "cooling"), 4: ("heating", "cooling")}
 OF_OBJECT = ("none", "detailedspecification")   # methods by which a template names an object, or nothing
 TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
@@ -319,15 +320,22 @@ class Reader:
 
     def shares_controlled(self, control):
         """{mode: share of the year in which a thermostat's type of control has it}; what is there at times is told."""
-        types = self.schedules.of(control, "control_type_schedule_name")
-        if not set(np.unique(types)) <= set(CONTROLS):
-            return dict.fromkeys(idf_ideal.MODES, 1)
-        shares = {mode: float(np.mean([mode in CONTROLS[each] for each in types.flat])) for mode in idf_ideal.MODES}
-        for mode, share in shares.items():
+        name, known = control.word("control_type_schedule_name"), self.schedules.shares_controlled
+        if name not in known:
+            known[name] = shares_of_control(self.schedules.of(control, "control_type_schedule_name"))
+        for mode, share in known[name].items():
             if 0 < share < 1:
                 self.left_out.append(f"{control.kind}: control_type_schedule_name: {mode} is off in {1 - share:.0%} of "
                                      f"the year; {mode}_limit of the zone, or a schedule, may stand for it")
-        return shares
+        return known[name]
+
+
+def shares_of_control(types):
+    """{mode: share of the year} of a profile of types of control; all of it where some are no types."""
+    if not np.isin(types, list(CONTROLS)).all():
+        return dict.fromkeys(idf_ideal.MODES, 1)
+    return {mode: float(np.isin(types, [kind for kind, modes in CONTROLS.items() if mode in modes]).mean())
+            for mode in idf_ideal.MODES}
 
 
 def sensible(activity, room):

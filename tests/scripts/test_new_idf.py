@@ -1150,11 +1150,12 @@ class Job(usual.New):
         job = self.checked()
         self.assertEqual((job["zone"][0]["heating_capacity"], job["zone"][0]["cooling_capacity"]), (0, 90))
         self.assertNotIn("heating_capacity", {p["name"] for p in job["parameter"]})
-        self.from_file(self.box(ideal(TWO.replace("Frost control, Store", "Frost control, Room"),
-                                      heating_limit="LimitCapacity", maximum_sensible_heating_capacity="800")),
+        self.from_file(self.box(ideal(TWO, heating_limit="LimitCapacity", maximum_sensible_heating_capacity="800")),
                        force=True, rooms=True)
-        (prior,) = (p for p in self.checked()["parameter"] if p["name"] == "heating_capacity")
-        self.assertEqual(prior["prior"]["mean"], 10)
+        job = self.checked()
+        self.assertEqual([zone["heating_capacity"] for zone in job["zone"]], [10, 100])
+        (prior,) = (p for p in job["parameter"] if p["name"] == "heating_capacity")
+        self.assertEqual((prior["mode"], prior["target"]), ("factor", ["zone.*.heating_capacity"]))
 
     def test_set_points_without_a_thermostat_are_told(self):
         said = self.from_file(self.box(without(BOX, "ZoneControl"))).stdout
