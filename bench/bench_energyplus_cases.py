@@ -186,6 +186,7 @@ class Case:
 
 
 USE = "BLDG_(OCC|LIGHT|EQUIP)_SCH"
+LIGHTS = ("lights replaced",)
 WIND = ("wind infiltration", "infiltration by strong wind", "wind in leaks")
 SATURDAY = ("people work on Saturdays", "Saturdays worked", "other hours than declared", "Saturday mornings worked")
 CASES = {
@@ -207,7 +208,7 @@ CASES = {
                     names=("plant runs on after hours", "other hours than declared")),
     "so_film": Case(scaled("WindowMaterial:SimpleGlazingSystem", [3], 0.5), "05-01",
                     names=("film on windows", "retrofit of windows")),
-    "so_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
+    "so_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=LIGHTS),
     "so_early": Case(schedule("HTGSETP_SCH|HVACOperationSchd", earlier(3)),
                      names=("early start", "other hours than declared", "heating set-point of some hours")),
     "so_sundays": Case(schedule("(HTG|CLG)SETP_SCH|HVACOperationSchd", as_weekdays),
@@ -215,7 +216,7 @@ CASES = {
     "so_august": Case(closed(USE, "7/31", "8/21"), names=("holidays with the plant running",)),
     "mo_setback": Case(schedule("HTGSETP_SCH", raised(0, 5, 3)),
                        names=("no set-back at night", "heating set-point of some hours")),
-    "mo_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
+    "mo_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=LIGHTS),
     "mo_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 2.5), "10-01",
                      names=("leaks sealed or opened",)),
     "mo_economiser": Case(economised, names=("economiser", "economiser of the air system")),
@@ -233,8 +234,8 @@ CASES = {
     "ap_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.4), JUNE, names=("tenants move in or out",)),
     "ap_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
     "ap_dayset": Case(schedule("APT_HTGSETP_SCH", raised(9, 16, 2)), names=("heating set-point of some hours",)),
-    "ap_lights": Case(scaled("Lights", [5, 6, 7], 2), "10-15", names=("tenants move in or out",)),
-    "ap_evening": Case(schedule("APT_EQP_SCH", raised(19, 24, 0.5)), names=("evening use",)),
+    "ap_lights": Case(scaled("Lights", [5, 6, 7], 2), "10-15", names=LIGHTS),
+    "ap_nights": Case(schedule("APT_EQP_SCH", more(0, 6, 0.4)), names=("use at night",)),
     "ap_wind": Case(by_wind, names=WIND),
     "ap_windows": Case(vented((0, 24), 24, 2), names=("windows opened in warm rooms", "windows opened while occupied")),
     "ap_coolset": Case(schedule("APT_CLGSETP_SCH", raised(18, 24, -1.5)), names=("cooling set-point of some hours",)),

@@ -99,7 +99,8 @@ inline physics::Zone office_zone() {
     zone.flows[1].air_change = {1, 0, office_hours_row};
     zone.flows[1].heat_recovery.value = 0.2;
     zone.loads = {office_load("people", 6, Carrier::none),
-                  office_load("lights and equipment", 12, Carrier::electricity)};
+                  office_load("lights", 5, Carrier::electricity),
+                  office_load("equipment", 7, Carrier::electricity)};
     zone.loads.push_back(office_load("hot water", 1, Carrier::gas));
     zone.loads.back().heat_fraction = 0;
     zone.thermostat.heating_set_point = {21, 16, night_row};

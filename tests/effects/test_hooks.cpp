@@ -1,6 +1,7 @@
 /// The rows of hooks and drivers, and what is looked up in them.
 #include "effects/drivers.hpp"
 #include "effects/hooks.hpp"
+#include "effects/sites.hpp"
 #include "office.hpp"
 
 #include <set>
@@ -64,6 +65,20 @@ TEST(FirstMoves, AreTheDriversOrTheOpeningsOwn) {
     EXPECT_EQ(move(Hook::aperture, Driver::bright), 50);
     EXPECT_EQ(move(Hook::infiltration, Driver::wind), 0);
     EXPECT_EQ(move(Hook::venting, Driver::one), 1.5);
+}
+
+TEST(Hooks, LightsAreLoadsThatAreNamedSo) {
+    const auto is_light = [](const char* name, double heat_fraction = 1) {
+        physics::Load load;
+        load.name = name;
+        load.heat_fraction = heat_fraction;
+        return lights_a_zone(load);
+    };
+    for (const char* name : {"light", "lights", "Lighting east", "LIGHTS"})
+        EXPECT_TRUE(is_light(name)) << name;
+    for (const char* name : {"lights and equipment", "floodlights", "equipment", "ligh"})
+        EXPECT_FALSE(is_light(name)) << name;
+    EXPECT_FALSE(is_light("lights outdoors", 0));
 }
 
 }  // namespace

@@ -436,7 +436,7 @@ TEST(Placement, OccupationMovesLoadsOnly) {
                        .driver = Driver::shifted_hours,
                        .shape = {Form::linear, 2}};
     const Placed moved = placed(later);
-    EXPECT_EQ(moved.parameters[0].targets.size(), 3u);
+    EXPECT_EQ(moved.parameters[0].targets.size(), 4u);
     for (const physics::Target& target : moved.parameters[0].targets)
         EXPECT_EQ(target.part, physics::Part::load);
     const auto with = shown(moved, {1}, Quantity::electricity);
