@@ -311,8 +311,8 @@ def refuse_other_times(table, column):
         return
     apart = [b - a for a, b in zip(table.times, own)]
     if any(abs(one) > MOST_APART or abs(one - apart[0]) > MOST_CHANGE for one in apart):
-        raise Refused(f"{table.path}: {column}: stands behind a time of its own, {table.names[at - 1]}, whose times are "
-                      f"not those of {table.time[0]}; put each time and what belongs to it into a file of its own")
+        raise Refused(f"{table.path}: {column}: stands behind a time of its own, {table.names[at - 1]}, whose times "
+                      f"are not those of {table.time[0]}; put each time and what belongs to it into a file of its own")
 
 
 def take_reads(meter, table):

@@ -198,8 +198,8 @@ def of_epw(paths, told):
     gaps = [(b[0] - a[0]) / times.HOUR - 1 for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR]
     if short := [gap for gap in gaps if gap <= MOST_FILLED]:
         weather.keys["fill_gaps"] = int(max(USUAL_FILL, *short))
-        told.check(f"{read[0][0]}: {sum(short):.0f} h have no row or no temperature, in gaps of up to {max(short):.0f} h; "
-                   "they are filled by straight lines")
+        told.check(f"{read[0][0]}: {sum(short):.0f} h have no row or no temperature, in gaps of up to "
+                   f"{max(short):.0f} h; they are filled by straight lines")
     return weather
 
 
