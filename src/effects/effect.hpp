@@ -43,6 +43,7 @@ enum class Hook {
     gains,               ///< heat nobody meters, added [W/m2]
     loads,               ///< people, lights and equipment, as a share [-]
     lights,              ///< loads that are named so, as a share [-]
+    equipment,           ///< likewise [-]
     lights_and_equipment,  ///< on the electricity meter and into the room, added [W/m2]
     heating_set_point,     ///< [K]
     cooling_set_point,     ///< [K]

@@ -198,6 +198,17 @@ constexpr HookRow rows[] = {
      .sites = [](const Effect&, Sites& sites) { sites.of_loads(lights_a_zone); },
      .lack = "no load that heats a zone has a name that begins with light",
      .adds_up = false},
+    {.hook = Hook::equipment,
+     .name = "equipment",
+     .unit = "-",
+     .enter = change_inputs,
+     .kind = ChangeKind::factor,
+     .shapes_regimes = false,
+     .sites = [](const Effect&, Sites& sites) { sites.of_loads(equips_a_zone); },
+     .lack =
+         "no load that heats a zone has a name that begins with equip, plug, device or "
+         "appliance",
+     .adds_up = false},
     {.hook = Hook::lights_and_equipment,
      .name = "lights and equipment",
      .unit = "W/m2",

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace bemcal::effects {
 namespace {
@@ -86,13 +88,34 @@ bool heats_a_zone(const physics::Load& load) {
     return load.heat_fraction > 0;
 }
 
-bool lights_a_zone(const physics::Load& load) {
-    std::string name = load.name;
+namespace {
+
+std::string small_letters(std::string name) {
     std::ranges::transform(name, name.begin(), [](unsigned char letter) {
         return static_cast<char>(std::tolower(letter));
     });
+    return name;
+}
+
+bool begins_with_one_of(const std::string& name,
+                        std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(
+        words, [&](std::string_view word) { return name.starts_with(word); });
+}
+
+}  // namespace
+
+bool lights_a_zone(const physics::Load& load) {
+    const std::string name = small_letters(load.name);
     return heats_a_zone(load) && name.starts_with("light") &&
            name.find("equip") == std::string::npos;
+}
+
+bool equips_a_zone(const physics::Load& load) {
+    const std::string name = small_letters(load.name);
+    return heats_a_zone(load) &&
+           begins_with_one_of(name, {"equip", "plug", "device", "appliance"}) &&
+           name.find("light") == std::string::npos;
 }
 
 bool same_facade(const physics::Building& building, int plane, int other) {

@@ -72,6 +72,8 @@ bool recovers_heat(const physics::AirFlow& flow);
 bool heats_a_zone(const physics::Load& load);
 /// By its name: it begins with "light", in letters of any size, and is of no equipment.
 bool lights_a_zone(const physics::Load& load);
+/// Likewise: with "equip", "plug", "device" or "appliance", and it is of no light.
+bool equips_a_zone(const physics::Load& load);
 
 /// Whether two planes face the same way.
 bool same_facade(const physics::Building& building, int plane, int other);

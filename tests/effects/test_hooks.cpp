@@ -81,5 +81,17 @@ TEST(Hooks, LightsAreLoadsThatAreNamedSo) {
     EXPECT_FALSE(is_light("lights outdoors", 0));
 }
 
+TEST(Hooks, EquipmentIsWhatIsNamedSo) {
+    const auto is_equipment = [](const char* name) {
+        physics::Load load;
+        load.name = name;
+        return equips_a_zone(load);
+    };
+    for (const char* name : {"equipment", "Equip 1", "plugs", "devices", "Appliances"})
+        EXPECT_TRUE(is_equipment(name)) << name;
+    for (const char* name : {"equipment and lights", "lights", "people", "servers"})
+        EXPECT_FALSE(is_equipment(name)) << name;
+}
+
 }  // namespace
 }  // namespace bemcal::effects
