@@ -387,6 +387,11 @@ def quantity_by_unit(table, column, told):
     return "electricity"
 
 
+def of_country(unit, country):
+    """Cubic feet are the USA's there alone."""
+    return ("100 ft3", unit[1]) if unit and unit[0] == "CCF" and country != "US" else unit
+
+
 def unit_said(table, column, quantity):
     """(unit, factor) by the name of the column, the line of units, the file's name and what stands beside; None where
     they do not say it."""
@@ -402,7 +407,7 @@ def make_meter(table, column, quantity, unit, options, told):
     keys = keys_of_meter(table, numbers, bills, told)
     begins, ends = steps_of(table, keys, bills, told)
     quantity = quantity or quantity_by_unit(table, column, told)
-    unit = scale_by_area(column, unit or unit_said(table, column, quantity), options.area)
+    unit = scale_by_area(column, unit or of_country(unit_said(table, column, quantity), options.country), options.area)
     if table.step > DAY and says(DAYS_OF_BILLS, column):
         told.check(f"{table.path}: {column}: says to be of a day, and was taken for that of the whole bill; expected "
                    "the use of each bill")

@@ -199,7 +199,7 @@ def of_epw(paths, told):
     if short := [gap for gap in gaps if gap <= MOST_FILLED]:
         weather.keys["fill_gaps"] = int(max(USUAL_FILL, *short))
         told.check(f"{read[0][0]}: {sum(short):.0f} h have no row or no temperature, in gaps of up to "
-                   f"{max(short):.0f} h; they are filled by straight lines")
+                   f"{max(short):.0f} h; temperatures are filled by straight lines, the sun by that of the days around")
     return weather
 
 

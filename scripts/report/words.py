@@ -143,7 +143,7 @@ def brought(value):
 
 def size_of_what_it_brings(effect):
     """What it costs; where no tariff is known, its largest energy."""
-    costs = [abs(value.value) for value in effect.brings if value.of.startswith("cost")]
+    costs = [abs(value.value) for value in effect.brings if value.of == "cost" or value.of.startswith("cost of ")]
     return costs[0] if costs else max((abs(value.value) for value in effect.brings), default=0)
 
 

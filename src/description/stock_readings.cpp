@@ -146,9 +146,16 @@ void look_at_rows(const LookRows& rows, physics::Interval interval, ReadingsLook
                            begins[last] + step, interval);
 }
 
-/// From each read to the next, whatever was used.
+/// From each read of a register to the next, with its use.
 std::vector<input::Bill> between(std::vector<input::Bill> reads) {
-    for (std::size_t k = 0; k + 1 < reads.size(); ++k) reads[k].to = reads[k + 1].from;
+    std::vector<double> counts;
+    counts.reserve(reads.size());
+    for (const input::Bill& read : reads) counts.push_back(read.value);
+    const std::vector<double> uses = checks::differences_of(counts);
+    for (std::size_t k = 0; k < uses.size(); ++k) {
+        reads[k].to = reads[k + 1].from;
+        reads[k].value = uses[k];
+    }
     if (!reads.empty()) reads.pop_back();
     return reads;
 }
@@ -163,6 +170,8 @@ void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLoo
     std::erase_if(bills, [](const input::Bill& bill) { return std::isnan(bill.value); });
     if (bills.empty()) return;
     look.bounds = input::bounds_of(bills);
+    if (columns.counts) look.total = 0;
+    for (const input::Bill& bill : bills) look.total += columns.counts ? bill.value : 0;
     for (const input::Bill& bill : bills)
         look.hours += static_cast<double>((bill.to - bill.from).count()) / 3600;
     look.first_day = physics::format_date(bills.front().from);

@@ -317,6 +317,10 @@ std::vector<Bill> reads_of_register(const Csv& csv, const BillColumns& columns,
     const auto n = std::erase_if(reads, [](const Bill& read) {
         return read.is_estimated || std::isnan(read.value);
     });
+    for (std::size_t k = 1; k < reads.size(); ++k)
+        if (reads[k].from <= reads[k - 1].from)
+            fail(csv, reads[k].row,
+                 "a second read of the register in the same hour; leave one of them out");
     if (n > 0)
         notes.push_back({fmt::format("{} of its reads {} missing or estimated", n,
                                      n == 1 ? "is" : "are"),

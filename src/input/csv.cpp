@@ -454,7 +454,7 @@ class TableMaker {
     bool fit(int line) {
         const std::size_t n = csv_.columns.size();
         while (cells_.size() > n && cells_.back().empty()) cells_.pop_back();
-        if (form_.keeps_odd_rows && cells_.size() != n) {
+        if (form_.keeps_odd_rows && (cells_.size() < n_named_ || cells_.size() > n)) {
             csv_.short_rows.push_back({line, cells_.size()});
             cells_.resize(n);
         }

@@ -136,13 +136,15 @@ void fill_irradiance(Chain& chain) {
     for (const Run& gap : gaps) {
         if (gap.length() > chain.longest_gap)
             fail_gap(chain, gap, global_field, "all irradiance");
-        for (auto series : irradiances) {
-            if (gap.length() <= longest_line) interpolate(chain.weather.*series, gap);
-            take_from_days_around(chain.weather.*series, gap);
-        }
+        if (gap.length() <= longest_line)
+            for (auto series : irradiances) interpolate(chain.weather.*series, gap);
     }
+    for (const Run& gap : runs_of(physics::unknown_irradiance(chain.weather)))
+        for (auto series : irradiances) take_from_days_around(chain.weather.*series, gap);
     const std::vector<Run> left = runs_of(physics::unknown_irradiance(chain.weather));
-    if (!left.empty()) fail_gap(chain, left.front(), global_field, "all irradiance");
+    if (!left.empty())
+        fail_gap(chain, left.front(), global_field,
+                 "all irradiance of these hours and of the same hours of days around");
     report_gaps(chain, gaps, global_field, "all irradiance");
 }
 
@@ -221,6 +223,22 @@ void merge_shared(Chain& chain, EpwTable& table) {
         "{}: {} h that the files before it have, too, alike: taken once", table.name, n));
 }
 
+/// Hours between two files are as those without a row within one.
+void bridge(Chain& chain, const EpwTable& table) {
+    const auto apart = table.weather.axis.start - chain.weather.axis.end();
+    const auto n = static_cast<std::size_t>(std::max<long>(0, apart.count() / 3600));
+    if (n == 0 || n > longest_epw_gap || table.weather.axis.n_steps == 0) return;
+    for (const EpwColumn& column : epw_columns)
+        (chain.weather.*column.series)
+            .insert((chain.weather.*column.series).end(), n, nan);
+    std::vector<int>& lines = chain.tables.back().lines;
+    lines.insert(lines.end(), n, lines.back());
+    chain.decisions.push_back(
+        fmt::format("{}: {} h before it are in no file, from {} on: taken as missing",
+                    table.name, n, physics::format_time(chain.weather.axis.end())));
+    chain.weather.axis.n_steps += static_cast<int>(n);
+}
+
 void check_follows(const Chain& chain, const EpwTable& table) {
     const Weather &before = chain.weather, &after = table.weather;
     if (after.axis.n_steps > 0 && after.axis.start != before.axis.end())
@@ -275,6 +293,7 @@ EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& opt
         if (!chain.tables.empty()) {
             check_place(chain, table);
             merge_shared(chain, table);
+            bridge(chain, table);
             check_follows(chain, table);
         }
         append(chain, std::move(table));

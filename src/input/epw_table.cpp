@@ -47,7 +47,7 @@ using physics::Seconds;
 using std::chrono::hours;
 
 constexpr int n_fields = 35;
-constexpr int most_absent = 48;  ///< rows [h], as many as fill_gaps may bridge
+constexpr double most_absent_share = 0.1;  ///< of the rows; more are of another step
 
 /// One line of the file, split at its commas.
 struct Line {
@@ -152,6 +152,7 @@ class TableReader {
     void start_at(const Line& line, int month, int day, int hour);
     void check_follows(const Line& line, int month, int day, int hour);
     void leave_open(const Line& line, int n, const std::string& what);
+    void check_absent();
     void repeat_28_february(const Line& line);
     void append_values(const Line& line);
     double value_of(const Line& line, std::size_t column);
@@ -175,8 +176,10 @@ class TableReader {
         int line = 0;
         std::string what;
     };
-    OddRow odd_row_;        // the last that was not the next hour's
-    std::string said_end_;  // of the rows, in the header: "12/31"
+    OddRow odd_row_, first_absent_;  // the last, the first that was not the next hour's
+    std::string first_absent_time_;
+    int n_absent_ = 0, n_gaps_ = 0;  // hours without a row
+    std::string said_end_;           // of the rows, in the header: "12/31"
     std::array<Ignored, n_epw_columns> ignored_{};
 };
 
@@ -185,6 +188,7 @@ EpwTable TableReader::read() {
     while (const std::optional<Line> line = lines_.next())
         if (!line->is_blank()) read_row(*line);
     check_length();
+    check_absent();
     check_codes();
     report();
     return std::move(table_);
@@ -371,7 +375,7 @@ void TableReader::check_follows(const Line& line, int month, int day, int hour) 
             ? "the year has no 29 February: give a leap year"
             : "every hour must follow on the one before, or at most 48 h behind "
               "it");
-    for (int n = 1; n <= most_absent; ++n)
+    for (int n = 1; n <= longest_epw_gap; ++n)
         if (is_at(due + hours(n))) return leave_open(line, n, what);
     // Behind a row that was too late by itself, that one is the odd one.
     const bool is_behind = odd_row_.line + 1 == line.number;
@@ -379,18 +383,32 @@ void TableReader::check_follows(const Line& line, int month, int day, int hour) 
              is_behind ? odd_row_.what : what);
 }
 
-/// Hours that have no row.
+/// Hours that have no row. Many of them are another step than an hour.
 void TableReader::leave_open(const Line& line, int n, const std::string& what) {
     odd_row_ = {line.number, what};
+    if (n_absent_ == 0) {
+        first_absent_ = odd_row_;
+        first_absent_time_ = physics::format_time(table_.weather.axis.end());
+    }
+    n_absent_ += n;
+    ++n_gaps_;
     for (const EpwColumn& column : epw_columns)
         (table_.weather.*column.series)
             .insert((table_.weather.*column.series).end(), static_cast<std::size_t>(n),
                     nan);
     table_.lines.insert(table_.lines.end(), static_cast<std::size_t>(n), line.number);
-    table_.decisions.push_back(fmt::format(
-        "{}:{}: {} h before it have no row, from {} on: taken as missing", table_.name,
-        line.number, n, physics::format_time(table_.weather.axis.end())));
     table_.weather.axis.n_steps += n;
+}
+
+void TableReader::check_absent() {
+    if (n_absent_ == 0) return;
+    if (n_absent_ > most_absent_share * n_rows_)
+        fail_epw(table_.name, first_absent_.line, 2, first_absent_.what);
+    table_.decisions.push_back(
+        fmt::format("{}:{}: {} h in {} gap{} have no row, the first from {} on: taken as "
+                    "missing",
+                    table_.name, first_absent_.line, n_absent_, n_gaps_,
+                    n_gaps_ == 1 ? "" : "s", first_absent_time_));
 }
 
 void TableReader::repeat_28_february(const Line& line) {

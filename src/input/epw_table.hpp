@@ -24,6 +24,8 @@ struct EpwColumn {
 };
 inline constexpr int n_epw_columns = 8;
 extern const std::array<EpwColumn, n_epw_columns> epw_columns;
+/// Hours without a row, as many as fill_gaps may bridge [h].
+inline constexpr int longest_epw_gap = 48;
 inline constexpr int dry_bulb_field = 7, global_field = 14;
 
 struct EpwTable {

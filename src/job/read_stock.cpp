@@ -78,15 +78,30 @@ int letters_off(const std::string& name, const std::string& other) {
     return input::edit_distance(small(name), small(other));
 }
 
+/// Names of one thing.
+constexpr std::string_view aliases[][3] = {{"name", "id", "building"},
+                                           {"floor_area", "floor_area_m2", ""}};
+
+bool is_there(const input::Csv& csv, const std::string& column) {
+    const auto stands = [&](std::string_view name) {
+        return std::ranges::find(csv.columns, name) != csv.columns.end();
+    };
+    return stands(column) || std::ranges::any_of(aliases, [&](const auto& names) {
+               return std::ranges::find(names, column) != std::end(names) &&
+                      std::ranges::any_of(names, stands);
+           });
+}
+
 /// A column that is none of those that are read, but nearly one that is not there.
 void check_spelling(const input::Csv& csv, const std::vector<std::string>& read) {
-    constexpr std::size_t long_name = 8;  // of which two letters may be off
+    // Of short names one letter off is another word; of long ones two may be.
+    constexpr std::size_t short_name = 4, long_name = 8;
     for (const std::string& column : csv.columns) {
-        if (std::ranges::find(read, column) != read.end()) continue;
+        if (column.size() < short_name || std::ranges::find(read, column) != read.end())
+            continue;
         const int most = column.size() < long_name ? 1 : 2;
         for (const std::string& other : read)
-            if (letters_off(column, other) <= most &&
-                std::ranges::find(csv.columns, other) == csv.columns.end())
+            if (letters_off(column, other) <= most && !is_there(csv, other))
                 throw UserError(
                     ExitCode::data,
                     fmt::format(

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -144,6 +145,11 @@ constexpr const char* other_columns[] = {"name",
 /// Days between the last readings of two meters that are told: files come late by days.
 constexpr int most_apart = 14;
 
+/// Keys of a meter, and of the weather, that the line says in other ways or not at all.
+constexpr std::string_view own_of_meter[] = {"name", "quantity", "file"};
+constexpr std::string_view own_of_weather[] = {"files", "format", "columns",
+                                               "temperature", "year"};
+
 class Writer {
   public:
     Writer(const Stock& stock, const StockLine& line, input::InputFiles& files)
@@ -243,7 +249,7 @@ class Writer {
 
     /// Keys of a section that columns of the name PREFIX_KEY say.
     std::string said_keys(const std::string& prefix, const char* section,
-                          std::initializer_list<std::string_view> own) const {
+                          const std::vector<std::string_view>& own) const {
         std::string text;
         for (const schema::Key& key : schema::job_table().keys_of(section)) {
             const std::string column = prefix + "_" + key.key;
@@ -391,9 +397,10 @@ class Writer {
             site_ += "utc_offset = 0\n";
         if (!site_.empty()) text_ += "[site]\n" + site_;
         text_ += "[weather]\n" + weather_files(file);
-        text_ +=
-            said_keys("weather", "weather",
-                      {"files", "format", "columns", "fill_gaps", "temperature", "year"});
+        std::vector<std::string_view> own(std::begin(own_of_weather),
+                                          std::end(own_of_weather));
+        if (!temperature.empty()) own.emplace_back("fill_gaps");
+        text_ += said_keys("weather", "weather", own);
         if (temperature.empty()) return;
         text_ += "format = \"csv\"\ntemperature = \"hour_mean\"\nfill_gaps = 48\n";
         text_ +=
@@ -604,16 +611,18 @@ class Writer {
 std::vector<std::string> read_columns() {
     std::vector<std::string> columns(std::begin(other_columns), std::end(other_columns));
     for (const BoxNumber& kind : box_numbers) columns.emplace_back(kind.column);
-    const auto add_keys = [&](const std::string& prefix, const char* section) {
+    const auto add_keys = [&](const std::string& prefix, const char* section,
+                              std::span<const std::string_view> own) {
         for (const schema::Key& key : schema::job_table().keys_of(section))
-            columns.push_back(prefix + "_" + key.key);
+            if (std::ranges::find(own, key.key) == own.end())
+                columns.push_back(prefix + "_" + key.key);
     };
     for (const MeterKind& kind : meter_kinds) {
         columns.emplace_back(kind.name);
-        add_keys(kind.name, "meter");
+        add_keys(kind.name, "meter", own_of_meter);
     }
-    add_keys("weather", "weather");
-    add_keys("holidays", "holidays");
+    add_keys("weather", "weather", own_of_weather);
+    add_keys("holidays", "holidays", {});
     return columns;
 }
 

@@ -54,7 +54,8 @@ struct Brings {
     double size() const {
         double largest = 0;
         for (const StoredLoop::EffectValue* value : values) {
-            if (value->of.starts_with("cost")) return std::abs(value->value);
+            if (value->of == "cost" || value->of.starts_with("cost of "))
+                return std::abs(value->value);
             largest = std::max(largest, std::abs(value->value));
         }
         return largest;

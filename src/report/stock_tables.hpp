@@ -10,7 +10,7 @@ namespace bemcal::report {
 /// How many buildings were done, why, and which failed, drift, or predict worst.
 std::string stock_section(const Group& stock);
 
-/// A line for each building: status, cause, reason, drift, errors of its first meter in
+/// A line for each building: status, cause, reason, drift, errors of its worst meter in
 /// the first and last period, findings.
 std::string stock_csv(const Group& stock);
 

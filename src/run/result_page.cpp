@@ -48,7 +48,7 @@ int make(std::vector<std::string> words, const fs::path& page) {
 constexpr std::size_t most_pages = 12;
 
 constexpr const char* nothing_to_show =
-    "as no study has a result that pictures show: what was not reached has none";
+    "as no study has a result that pictures show, which one that is not reached has not";
 constexpr const char* needs = "which takes Python with h5py, matplotlib and jinja2";
 
 /// Makes the page, unless something stands in its place.
@@ -83,7 +83,6 @@ std::string PageWriter::write_page(const fs::path& result, const Page& page) con
     words.insert(words.begin(), python.string());
     const auto why = what_is_in_the_way(script, std::move(words), page.file);
     if (!why) return fmt::format("wrote {}, the same with pictures", page.file.string());
-    if (*why == nothing_to_show) return fmt::format("no page with pictures, {}", *why);
     return fmt::format("no page with pictures, {}; to make it: {}", *why,
                        command_of(result, page));
 }

@@ -267,6 +267,15 @@ std::string hash_of_data(const Case& building) {
                                              static_cast<std::size_t>(last - first)));
     };
     for (const study::Meter& meter : building.meters) add(meter.values, meter.axis);
+    for (const physics::Profile& profile : building.profiles) {
+        if (profile.is_series) add(profile.values, profile.axis);
+        if (!profile.schedule.days) continue;
+        for (const auto& [day, number] : *profile.schedule.days) {
+            const double of_register[] = {
+                static_cast<double>(day.time_since_epoch().count()), number};
+            hasher.add(of_register);
+        }
+    }
     const physics::Weather& weather = building.weather;
     for (const auto* values :
          {&weather.theta_e, &weather.direct_normal, &weather.diffuse_horizontal,

@@ -33,7 +33,8 @@ std::map<std::string, double> values_in(const StockRecord& before,
                                         const study::Case& building);
 void start_from(const std::map<std::string, double>& values, study::Case& building);
 
-/// Of readings and weather from the first day to the last of the building's periods.
+/// Of readings, series, registers and weather from the first day to the last of the
+/// building's periods.
 std::string hash_of_data(const study::Case& building);
 
 /// Daily sums of the first meter of an energy, over the last days with readings.

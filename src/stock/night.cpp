@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -176,8 +177,10 @@ class Night {
     bool has_new_days() const { return n_new() > 0 && look_.sees_new_days(); }
 
     /// Of a file that has grown by what the building does not use, or was written anew.
-    bool has_same_data() const {
-        return before_.data_hash == hash_of_data(look_.building());
+    /// \param log  what was read for it
+    bool has_same_data(const std::vector<input::InputFile>& log) const {
+        return has_same_description(log) &&
+               before_.data_hash == hash_of_data(look_.building());
     }
 
     Calibrated nothing() const {
@@ -204,6 +207,15 @@ class Night {
     }
 
   private:
+    /// A building's own file says more than readings and weather.
+    bool has_same_description(const std::vector<input::InputFile>& log) const {
+        return std::ranges::all_of(log, [&](const input::InputFile& file) {
+            return std::filesystem::path(file.path).extension() != ".toml" ||
+                   std::ranges::find(before_.files, file.hash,
+                                     &StockRecord::File::hash) != before_.files.end();
+        });
+    }
+
     double end() const { return day_of(look_.building().periods.back().to); }
     double n_new() const {
         return end() - std::max(before_.tested_to, day_of(known_of(before_).to));
@@ -299,7 +311,7 @@ void tell_search(const StockRecord* before, StockRecord& record) {
 
 bool can_test(const job::Stock& stock, const StockRecord* before,
               const std::string& follows) {
-    return before != nullptr && stock.options.false_alarms > 0 &&
+    return before != nullptr && !before->is_failed() && stock.options.false_alarms > 0 &&
            before->adopted_hash == follows && before->known_to > before->known_from;
 }
 
@@ -311,7 +323,7 @@ Calibrated work_through(const job::Job& stock_job, const job::StockLine& line,
     if (can_test(*stock_job.stock, before, follows)) {
         Night night(stock_job, line, *before, log);
         if (night.has_new_days()) return night.work();
-        if (night.has_same_data()) return night.nothing();
+        if (night.has_same_data(log)) return night.nothing();
     }
     Calibrated result = calibrate(stock_job, line, before, log);
     result.record.status = "calibrated";

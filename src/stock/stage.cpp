@@ -312,7 +312,9 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         StockRecord whole = record(k);
         take_shared(std::exchange(parts[k], {}), whole);
         common.write(k, whole);
-        last_days.tell(whole);
+        last_days.tell(whole, stock_.lines[k].cells.empty() ||
+                                  !stock_.lines[k].has("to") ||
+                                  stock_.lines[k].cell("to").empty());
         return whole;
     });
     std::ranges::move(common.datasets(), std::back_inserter(night.datasets));

@@ -85,7 +85,7 @@ constexpr LayoutRow own_rows[] = {
     {"stock_line_hash", "stock_building", text, "", "hash of its line and the template"},
     {"stock_job_hash", "stock_building", text, "", "hash of job and version"},
     {"stock_data_hash", "stock_building", text, "",
-     "hash of its readings and weather over its periods"},
+     "hash of its readings, series and weather over its periods"},
     {"stock_age", "stock_building", number, "1", "nights since it was worked on"},
     {"stock_simulations", "stock_building", number, "1",
      "of its last calibration, about"},

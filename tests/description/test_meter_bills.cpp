@@ -126,6 +126,10 @@ TEST(MeterBills, OfARegisterAreFromReadToRead) {
                  UserError);
     EXPECT_THROW(read_with("t,x\n2021-01-01,10\n", "register = \"difference\"\n"),
                  UserError);
+    EXPECT_THROW(read_with("t,x\n2021-01-05 10:00,10\n2021-02-05 10:00,20\n"
+                           "2021-03-05 10:00,30\n2021-03-05 10:20,40\n",
+                           "register = \"difference\"\n"),
+                 UserError);
 }
 
 TEST(MeterBills, OneBelowZeroIsMaskedAndMoreAreAskedAbout) {

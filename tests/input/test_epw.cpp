@@ -237,8 +237,8 @@ TEST(Epw, HoursWithoutARowAreMissing) {
     const auto& sun = day.weather.global_horizontal;
     EXPECT_GT(sun[24 + 12], 0);
     for (std::size_t k = 34; k < 38; ++k) EXPECT_EQ(sun[k + 24], sun[k]) << k;
-    EXPECT_NE(decisions(file).find("w.epw:18: 2 h before it have no row, from 2021-01-01 "
-                                   "09:00:00 on: taken as missing"),
+    EXPECT_NE(decisions(file).find("w.epw:18: 2 h in 1 gap have no row, the first from "
+                                   "2021-01-01 09:00:00 on: taken as missing"),
               std::string::npos)
         << decisions(file);
     EXPECT_EQ(test::parse_epw(header + without_rows(all, 9, 48), "w.epw", options)
@@ -248,6 +248,26 @@ TEST(Epw, HoursWithoutARowAreMissing) {
                   test::parse_epw(header + without_rows(all, 9, 49), "w.epw", options);
               }).text.find("or at most 48 h behind it"),
               std::string::npos);
+}
+
+// Every so manieth hour: a tenth of the rows may be absent.
+TEST(Epw, RowsOfAnotherStepAreRefused) {
+    const auto without_each = [](int n) {
+        std::string all = rows(2021, 2021), kept;
+        int k = 0;
+        for (std::size_t from = 0; from < all.size(); ++k) {
+            const std::size_t to = all.find('\n', from) + 1;
+            if (k % n != n - 1) kept += all.substr(from, to - from);
+            from = to;
+        }
+        return header + kept;
+    };
+    EXPECT_EQ(test::parse_epw(without_each(12), "w.epw").weather.axis.n_steps, 8759);
+    EXPECT_NE(
+        complaint([&] { test::parse_epw(without_each(10), "w.epw"); })
+            .text.find("w.epw:18:2: month 1, day 1, hour 11: expected month 1, day 1, "
+                       "hour 10"),
+        std::string::npos);
 }
 
 TEST(Epw, ShortGapsOfIrradianceAreInterpolatedAndCloudCoverStandsIn) {

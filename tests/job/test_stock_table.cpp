@@ -231,6 +231,14 @@ TEST(StockTables, RefuseNumbersThatNoBuildingHas) {
          "stock.csv:2: glass_share: 30: expected 0 to 0.95 of the walls");
     says(",glass_share", ",0.951", "glass_share: 0.951: expected");
     EXPECT_EQ(StockTable(",glass_share", ",0.95").complaint(), "no complaint");
+    says(",u_window", ",0.29", "u_window: 0.29: expected 0.3 to 10 W/(m2 K)");
+    EXPECT_EQ(StockTable(",u_window", ",0.3").complaint(), "no complaint");
+    std::string table = fmt::format("{}\none,{},gas.csv,kwh\n", head, place);
+    table.replace(table.find("1500"), 4, "4.9");
+    EXPECT_NE(StockTable(table, readings(8760, hourly), 0)
+                  .complaint()
+                  .find("floor_area: 4.9: expected 5 to 1e+07 m2"),
+              std::string::npos);
     says(",floors", ",0", "floors: 0: expected 1 to 200");
     says(",floors", ",two",
          "floors: \"two\" is not a number; expected one such as 1200.5");
@@ -248,7 +256,9 @@ TEST(StockTables, RefuseAColumnThatIsNearlyOne) {
               std::string::npos)
         << said("gas_units");
     EXPECT_NE(said("U_Wall").find("did you mean \"u_wall\""), std::string::npos);
-    for (const char* own : {"year_built", "heat_source", "city", "gas_supplier", "area"})
+    EXPECT_NE(said("eficency").find("did you mean \"efficiency\""), std::string::npos);
+    for (const char* own : {"year_built", "heat_source", "city", "gas_supplier", "area",
+                            "no", "uid", "ID", "floor_area_ft2", "wather"})
         EXPECT_EQ(said(own), "no complaint") << own;
 }
 
@@ -264,6 +274,10 @@ TEST(StockTables, HaveOneBrokenBuildingWhereOneRowIsShort) {
     EXPECT_EQ(lines[1].complaint, "has 2 cells; expected 11 as in the first line");
     EXPECT_EQ(lines[1].name, "two");
     EXPECT_EQ(lines[2].complaint, "has 13 cells; expected 11 as in the first line");
+    // A comma at the end of the names alone says nothing.
+    const Job comma =
+        StockTable(fmt::format("{},\none,{},gas.csv,kwh\n", head, place), "", 0).job();
+    EXPECT_EQ(comma.stock->lines.at(0).complaint, "");
 }
 
 TEST(StockTables, TellOfAMeterThatEndsBeforeAnother) {

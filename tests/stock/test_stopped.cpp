@@ -1,6 +1,8 @@
 /// Meters that no longer send, against those of the others.
 #include "stock/stopped.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::stock {
@@ -21,19 +23,30 @@ TEST(LastDays, TellWhoseReadingsEndAFortnightBeforeThoseOfMost) {
     for (const StockRecord& record : {until(18628), until(18628), until(18628),
                                       until(18628), late, stopped, by_month})
         days.add(record);
-    days.tell(late);
+    days.tell(late, true);
     EXPECT_TRUE(late.findings.empty());
-    days.tell(by_month);
+    days.tell(by_month, true);
     EXPECT_TRUE(by_month.findings.empty());
-    days.tell(stopped);
-    days.tell(stopped);  // the next night
+    days.tell(stopped, true);
+    days.tell(stopped, true);  // the next night
     ASSERT_EQ(stopped.findings.size(), 1U);
-    EXPECT_EQ(stopped.findings[0].series, "gas");
-    EXPECT_EQ(
-        stopped.findings[0].finding,
-        "its readings end on 2020-12-16, 15 days before those of most of the stock");
+    EXPECT_EQ(stopped.findings[0].series, "daily readings");
+    EXPECT_EQ(stopped.findings[0].finding,
+              "end on 2020-12-16, 15 days before those of most of the stock");
+    days.tell(stopped, false);  // by the table's own last day
+    EXPECT_TRUE(stopped.findings.empty());
+    for (const char* status : {"failed", "postponed"}) {
+        stopped.status = status;
+        days.tell(stopped, true);
+        EXPECT_TRUE(stopped.findings.empty()) << status;
+    }
+    stopped.status = "unchanged";
+    StockRecord empty = until(18628);
+    for (std::size_t k = 150; k < 180; ++k) empty.daily[k] = NAN;
+    days.tell(empty, true);
+    EXPECT_EQ(empty.findings.size(), 1U);
     stopped.daily.assign(200, 1);  // it sends again
-    days.tell(stopped);
+    days.tell(stopped, true);
     EXPECT_TRUE(stopped.findings.empty());
 }
 
