@@ -145,6 +145,8 @@ HOOKS = {
     "supply temperature": Hook("SetpointManager:Scheduled", inside.shift_supply),
     "gains": Hook("OtherEquipment", inside.add_heat),
     "loads": Hook("schedules of people, lights and equipment", change_schedules(GAINS, "factor", least=0)),
+    "lights": Hook("schedules of lights", change_schedules(GAINS[1:2], "factor", least=0)),
+    "equipment": Hook("schedules of equipment", change_schedules(GAINS[2:3], "factor", least=0)),
     "lights and equipment": Hook("ElectricEquipment; less of it as heat and on the meter", inside.add_equipment,
                                  less_electricity),
     "heating set-point": Hook("schedules of thermostats", change_schedules(_HEATING, "add", _NO_HEAT)),

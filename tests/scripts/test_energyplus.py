@@ -531,6 +531,10 @@ class Tables(unittest.TestCase):
         self.setUp()
         self.enter("loads", 0.5)
         self.assertEqual(len([line for line in self.lines() if "(1 +" in line]), 3)   # people, lights, equipment
+        for hook in ("lights", "equipment"):
+            self.setUp()
+            self.enter(hook, 0.5)
+            self.assertEqual(len([line for line in self.lines() if "(1 +" in line]), 1)
 
     def test_infiltration_more_and_less(self):
         self.enter("infiltration", np.where(np.arange(YEAR) < 100, 0.3, -0.2))

@@ -589,7 +589,7 @@ class New(unittest.TestCase):
             lines[k] = ",".join([*cells[:6], "99.9", *cells[7:]])
         (self.folder / "2021.epw").write_text("\n".join(lines) + "\n")
         said = self.new(weather=[self.folder / "2021.epw", self.made / "2022.epw"]).stdout
-        self.assertIn("29 h have no row or no temperature, in gaps of up to 24 h; they are filled", said)
+        self.assertIn("29 h have no row or no temperature, in gaps of up to 24 h; temperatures are filled by", said)
         self.assertEqual(self.checked()["weather"]["fill_gaps"], 24)
 
     def test_a_trend_with_times_of_its_own_is_refused(self):

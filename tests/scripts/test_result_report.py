@@ -240,7 +240,7 @@ class EveryKind(unittest.TestCase):
             fake_loop_result.text(file.create_group("stock"), "kind", "stock")
         done = run(self.folder / "empty.h5", self.folder / "empty.html")
         self.assertEqual(done.returncode, 65)
-        self.assertIn("has no study with pictures", done.stderr)
+        self.assertIn("has no finished study with pictures", done.stderr)
 
     def test_what_fell_short_or_failed_is_told_first(self):
         text = self.page.text
