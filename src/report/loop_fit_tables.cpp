@@ -115,7 +115,7 @@ std::string loop_fit_table(const StoredLoop& loop) {
                 add_row(table, loop.periods[p], loop.resolutions[r], row);
                 is_partly = is_partly || row.is_partly;
             }
-    const std::string text = text_of(table, 18);
+    std::string text = text_of(table, 18);
     if (text.empty()) return text;
     return text +
            "  in 90 %: share of the readings within the 90 % intervals of after [%]\n" +
