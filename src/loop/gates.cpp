@@ -1,5 +1,5 @@
 /// Judges whether a candidate may join the model, the cheap gates first: evidence,
-/// coefficient, errors and score of unseen blocks; of what follows time the last quarter
+/// coefficient, errors and score of unseen blocks; of what follows time the last readings
 /// of training, too.
 /// Follows from the job's limits, and from how much energy use changes in a year anyhow
 /// (`bench_level_change`, 232 buildings).
@@ -7,11 +7,13 @@
 /// than training decide nothing.
 #include "loop/gates.hpp"
 
+#include "effects/steps.hpp"
 #include "loop/decisions.hpp"
 #include "loop/level_change.hpp"
 #include "stats/distributions.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace bemcal::loop {
@@ -65,36 +67,44 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 
 }  // namespace
 
-LastQuarter::LastQuarter(const LoopData& data, const Standing& before)
-    : data_(data),
-      before_(before),
-      weights_(weights_of(data.targets, before.noise)),
-      is_last_(weights_.size(), 0.0) {
-    const auto from = last_quarter_of(data);
-    for (std::size_t k = 0; k < weights_.size(); ++k)
-        if (data.begins[k] >= from) std::swap(is_last_[k], weights_[k]);
+LastReadings::LastReadings(const LoopData& data, const Standing& before)
+    : data_(data), before_(before), weights_(weights_of(data.targets, before.noise)) {}
+
+physics::Seconds LastReadings::begin_for(const effects::Effect& effect) const {
+    const auto quarter = last_quarter_of(data_);
+    if (effect.shape.form != effects::Form::over) return quarter;
+    const auto last = *std::ranges::max_element(data_.begins);
+    const std::chrono::seconds since(
+        std::llround(effect.shape.at * effects::elapsed_year_s));
+    const auto step = data_.training().from + since;
+    return std::max(quarter, step + (last - step) / 2);
 }
 
-double LastQuarter::change_to(const Standing& after) {
-    if (!error_before_) error_before_ = error_of(before_);
-    return std::sqrt(error_of(after) / *error_before_) - 1;
+double LastReadings::change_to(const Standing& after, const effects::Effect& effect) {
+    const auto from = begin_for(effect);
+    const auto [known, is_new] = errors_before_.try_emplace(from, 0);
+    if (is_new) known->second = error_of(before_, from);
+    return std::sqrt(error_of(after, from) / known->second) - 1;
 }
 
-double LastQuarter::error_of(const Standing& standing) const {
+double LastReadings::error_of(const Standing& standing, physics::Seconds from) const {
+    std::vector<double> first = weights_;
+    for (std::size_t k = 0; k < first.size(); ++k)
+        if (data_.begins[k] >= from) first[k] = 0;
     const study::Fit fitted = study::fit(
-        *standing.built.fit_model, standing.built.unknowns, data_.targets.measured,
-        weights_, standing.fit.at, {4, 1e-3, study::without_derivatives});
+        *standing.built.fit_model, standing.built.unknowns, data_.targets.measured, first,
+        standing.fit.at, {4, 1e-3, study::without_derivatives});
     const auto residuals =
         study::residuals_of(data_.targets.measured, fitted.at.predicted);
     double sum = 0;
     for (std::size_t k = 0; k < residuals.size(); ++k)
-        sum += is_last_[k] * residuals[k] * residuals[k];
+        if (data_.begins[k] >= from) sum += weights_[k] * residuals[k] * residuals[k];
     return sum;
 }
 
 std::string objection_to(const LoopData& data, const Standing& before,
                          const Refitted& candidate, double threshold,
-                         LastQuarter& last_quarter) {
+                         LastReadings& last_readings) {
     if (candidate.standing.fit.failed) return "cannot be simulated";
     if (candidate.gain <= threshold) return "evidence below what noise shows";
     if (!is_plausible(candidate.effect, candidate.coefficient))
@@ -109,8 +119,9 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (candidate.score < decisions::share_foretold * candidate.gain)
         return "unseen blocks show too little of it";
     if (candidate.effect.driver != effects::Driver::elapsed) return "";
-    if (last_quarter.change_to(candidate.standing) > data.options.most_loss / 100)
-        return "follows time, but does not foretell the last quarter";
+    if (last_readings.change_to(candidate.standing, candidate.effect) >
+        data.options.most_loss / 100)
+        return "follows time, but does not foretell what comes";
     if (is_within_usual_change(data, candidate))
         return "no more than use changes in a year, on one meter";
     return "";

@@ -1,38 +1,39 @@
 /// What a candidate has to pass before it joins the model: evidence, a plausible
-/// coefficient, errors of readings that its fit had not seen, and the last quarter of the
-/// training period.
+/// coefficient, errors of readings that its fit had not seen, and those that come last.
 #pragma once
 
 #include "loop/search.hpp"
 
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace bemcal::loop {
 
-/// The weighted error in the last quarter of training under fits to the first three: what
-/// follows time must foretell what comes.
-class LastQuarter {
+/// The weighted error of the last readings under fits to those before: what follows time
+/// must foretell what comes. They are the last quarter of training; of a step at most the
+/// last half of what follows it, since nothing before it knows its size.
+class LastReadings {
   public:
-    LastQuarter(const LoopData& data, const Standing& before);
+    LastReadings(const LoopData& data, const Standing& before);
 
-    /// Relative change from the model before.
-    double change_to(const Standing& after);
+    /// Relative change from the model before, of one with that effect.
+    double change_to(const Standing& after, const effects::Effect& effect);
 
   private:
-    double error_of(const Standing& standing) const;
+    physics::Seconds begin_for(const effects::Effect& effect) const;
+    double error_of(const Standing& standing, physics::Seconds from) const;
 
     const LoopData& data_;
     const Standing& before_;
-    std::vector<double> weights_, is_last_;
-    std::optional<double> error_before_;  ///< few candidates come so far
+    std::vector<double> weights_;
+    std::map<physics::Seconds, double> errors_before_;  ///< few candidates come so far
 };
 
 /// The first gate that a judged candidate does not pass; empty: it passes all.
 std::string objection_to(const LoopData& data, const Standing& before,
                          const Refitted& candidate, double threshold,
-                         LastQuarter& last_quarter);
+                         LastReadings& last_readings);
 
 /// Whether a coefficient lies in its effect's plausible range or little beyond.
 bool is_plausible(const effects::Effect& effect, double coefficient);

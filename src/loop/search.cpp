@@ -325,7 +325,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
     move_dates(data, place, standing, step.ranking, n_judged);
     step.threshold = threshold_of(data, place, standing, step);
     Unseen unseen(data, standing);
-    LastQuarter last_quarter(data, standing);
+    LastReadings last_readings(data, standing);
     for (std::size_t k = 0; k < step.ranking.size(); ++k) {
         Refitted& candidate = step.ranking[k];
         if (k >= n_judged) {
@@ -339,7 +339,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
             judge_left_out(data, standing, unseen, candidate);
         }
         candidate.objection =
-            objection_to(data, standing, candidate, step.threshold, last_quarter);
+            objection_to(data, standing, candidate, step.threshold, last_readings);
         drop_derivatives(candidate.standing);
     }
     step.chosen = choice_of(step.ranking);
