@@ -316,12 +316,12 @@ def refuse_other_times(table, column):
 
 
 def take_reads(meter, table):
-    """Makes uses of a register's reads, months apart or so; returns their ends."""
-    reads = sorted((time, value) for time, (_, value) in zip(sorted(table.times), meter.series) if value is not None)
+    """Makes uses of a register's reads, months apart or so, each from one to the next."""
     meter.keys["register"] = "difference"
     meter.keys.pop("stamp", None)
-    meter.series = [(begin, b - a) for (begin, a), (_, b) in zip(reads, reads[1:])]
-    return [end for end, _ in reads[1:]]
+    meter.series = list(zip(sorted(table.times), (value for _, value in meter.series)))
+    meter.ends = [time for time, _ in meter.read()[1:]]
+    meter.series = differences(meter)
 
 
 def has_filled_gaps(meter):
@@ -430,7 +430,7 @@ def make_meter(table, column, quantity, unit, options, told):
             told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the "
                        "use of each bill")
         else:
-            ends = take_reads(meter, table)
+            take_reads(meter, table)
             told.check(f"{table.path}: {column}: rises from read to read, and was taken for a register; register = "
                        "\"keep\" makes each a use")
     if bills:
@@ -440,9 +440,7 @@ def make_meter(table, column, quantity, unit, options, told):
         meter.keys.pop("stamp", None)
         if estimated := estimated_column(table):
             meter.keys["estimated"] = estimated
-    if "register" in meter.keys and ends:
-        meter.ends = ends
-    elif ends:
+    if ends and not meter.ends:
         meter.ends = [end for end, value in sorted(zip(ends, numbers.values)) if value is not None]
     if not meter.read():
         raise Refused(f"{table.path}: column {column}: has no readings")

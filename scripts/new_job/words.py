@@ -31,7 +31,7 @@ UNITS = (
     (r"degc|celsius|c", "degC", 1), (r"degf|fahrenheit|f", "degF", 1), (r"kelvin", "K", 1),
 )
 PER_HOUR = re.compile(r"(?:/\s*|\bper |\bpro )(?:h|hrs?|hours?|std|stunden?)\b", re.IGNORECASE)
-UNIT_NAMES = tuple(dict.fromkeys(unit for _, unit, _ in UNITS))
+UNIT_NAMES = (*dict.fromkeys(unit for _, unit, _ in UNITS), "ft3")    # the last: of no word, as it is two things
 TEMPERATURES, POWERS = ("degC", "degF", "K"), ("kW", "MW", "W")
 VOLUMES = ("m3", "ft3", "100 ft3", "CCF")     # energies of gas alone
 OF_GAS = (*VOLUMES, "therm")

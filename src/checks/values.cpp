@@ -164,18 +164,37 @@ std::optional<Question> doubt_of_room(const input::RegularSeries& series,
                                 advice_on_room(middle, is_as_read))};
 }
 
-std::vector<Finding> take_differences(input::RegularSeries& series) {
-    auto findings = take_differences(series.values);
-    series.axis.n_steps = static_cast<int>(series.values.size());
-    return findings;
-}
+namespace {
 
-std::vector<Finding> take_differences(std::vector<double>& counts) {
+/// Counts become uses, one less.
+std::vector<Finding> differences_in_place(std::vector<double>& counts) {
     const Course course = course_of(counts);
     counts = differences_of(counts);
     return {{fmt::format("a register that rises {} times and falls {} times",
                          course.n_rises, course.n_falls),
              "its differences are taken"}};
+}
+
+}  // namespace
+
+std::vector<Finding> take_differences(input::RegularSeries& series) {
+    auto findings = differences_in_place(series.values);
+    series.axis.n_steps = static_cast<int>(series.values.size());
+    return findings;
+}
+
+std::vector<Finding> take_differences(std::vector<input::Bill>& reads) {
+    if (reads.empty()) return {};
+    std::vector<double> uses;
+    uses.reserve(reads.size());
+    for (const input::Bill& read : reads) uses.push_back(read.value);
+    auto findings = differences_in_place(uses);
+    for (std::size_t k = 0; k < uses.size(); ++k) {
+        reads[k].to = reads[k + 1].from;
+        reads[k].value = uses[k];
+    }
+    reads.pop_back();
+    return findings;
 }
 
 std::vector<Finding> mask_spikes(input::RegularSeries& series, Quantity quantity) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checks/series.hpp"
+#include "input/bills.hpp"
 
 #include <optional>
 
@@ -30,8 +31,9 @@ std::vector<Finding> state_bills(const input::RegularSeries& series,
 std::optional<Question> doubt_of_room(const input::RegularSeries& series,
                                       bool is_as_read);
 
-/// The use from each of a register's counts to the next [one less].
-std::vector<Finding> take_differences(std::vector<double>& counts);
+/// Makes of a register's reads, each at its time, the bills from one to the next [one
+/// less].
+std::vector<Finding> take_differences(std::vector<input::Bill>& reads);
 
 /// The use of each step, from a register's counts at the beginnings of the steps.
 std::vector<Finding> take_differences(input::RegularSeries& series);

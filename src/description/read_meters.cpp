@@ -344,15 +344,7 @@ class MeterReader {
                                 "\"difference\" has reads, each at one time; "
                                 "give their column as time");
         if (reads.size() < 2) return {};
-        std::vector<double> uses;
-        uses.reserve(reads.size());
-        for (const input::Bill& read : reads) uses.push_back(read.value);
-        decide(checks::take_differences(uses));
-        for (std::size_t k = 0; k < uses.size(); ++k) {
-            reads[k].to = reads[k + 1].from;
-            reads[k].value = uses[k];
-        }
-        reads.pop_back();
+        decide(checks::take_differences(reads));
         return reads;
     }
 

@@ -6,6 +6,7 @@
 #include "description/stock_readings.hpp"
 
 #include "checks/data_values.hpp"
+#include "checks/values.hpp"
 #include "input/intervals.hpp"
 #include "physics/calendar.hpp"
 
@@ -136,46 +137,45 @@ void look_at_rows(const LookRows& rows, physics::Interval interval, ReadingsLook
     const std::chrono::seconds step(rows.stamps.step_s);
     look.hours = static_cast<double>(std::ranges::count_if(rows.values, has_reading)) *
                  static_cast<double>(step.count()) / 3600;
-    look.first_day = physics::format_date(
-        begins[static_cast<std::size_t>(first - rows.values.begin())]);
-    look.last_day = day_before(begins[last] + step);
+    const Seconds from = begins[static_cast<std::size_t>(first - rows.values.begin())],
+                  to = begins[last] + step;
+    look.first_day = physics::format_date(from);
+    look.last_day = day_before(to);
     look.hours_each = static_cast<double>(step.count()) / 3600;
     if (interval >= physics::Interval::monthly)
-        look.bounds =
-            months_between(begins[static_cast<std::size_t>(first - rows.values.begin())],
-                           begins[last] + step, interval);
+        look.bounds = months_between(from, to, interval);
 }
 
-/// From each read of a register to the next, with its use.
-std::vector<input::Bill> between(std::vector<input::Bill> reads) {
-    std::vector<double> counts;
-    counts.reserve(reads.size());
-    for (const input::Bill& read : reads) counts.push_back(read.value);
-    const std::vector<double> uses = checks::differences_of(counts);
-    for (std::size_t k = 0; k < uses.size(); ++k) {
-        reads[k].to = reads[k + 1].from;
-        reads[k].value = uses[k];
-    }
-    if (!reads.empty()) reads.pop_back();
-    return reads;
-}
-
-void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLook& look) {
+std::vector<input::Bill> bills_of(const LookRows& rows, const LookColumns& columns) {
     std::vector<input::TimeNote> notes;
-    std::vector<input::Bill> bills =
-        columns.counts ? between(input::reads_of_register(
-                             rows.csv, columns.bills, rows.stamps, rows.values, notes))
-                       : input::bills_in(rows.csv, columns.bills, rows.stamps, rows.rules,
-                                         rows.values, columns.interval, false, notes);
+    if (!columns.counts)
+        return input::bills_in(rows.csv, columns.bills, rows.stamps, rows.rules,
+                               rows.values, columns.interval, false, notes);
+    auto bills = input::reads_of_register(rows.csv, columns.bills, rows.stamps,
+                                          rows.values, notes);
+    checks::take_differences(bills);
+    return bills;
+}
+
+void look_at_bills(std::vector<input::Bill> bills, ReadingsLook& look) {
     std::erase_if(bills, [](const input::Bill& bill) { return std::isnan(bill.value); });
     if (bills.empty()) return;
     look.bounds = input::bounds_of(bills);
-    if (columns.counts) look.total = 0;
-    for (const input::Bill& bill : bills) look.total += columns.counts ? bill.value : 0;
     for (const input::Bill& bill : bills)
         look.hours += static_cast<double>((bill.to - bill.from).count()) / 3600;
     look.first_day = physics::format_date(bills.front().from);
     look.last_day = day_before(bills.back().to);
+}
+
+/// What was used: as it was read, or from one read of a register to the next.
+std::vector<double> uses_of(const LookRows& rows, bool counts,
+                            const std::vector<input::Bill>& bills) {
+    if (!counts) return rows.values;
+    if (bills.empty()) return checks::differences_of(rows.values);
+    std::vector<double> uses;
+    uses.reserve(bills.size());
+    for (const input::Bill& bill : bills) uses.push_back(bill.value);
+    return uses;
 }
 
 /// Of the readings that are no codes for missing.
@@ -191,14 +191,15 @@ double total_of(const std::vector<double>& values) {
 }  // namespace
 
 ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
-    const std::vector<double> uses =
-        columns.counts ? checks::differences_of(rows.values) : rows.values;
+    const bool is_by_bill = rows.stamps.step_s > physics::day_s;
+    const auto bills = is_by_bill ? bills_of(rows, columns) : std::vector<input::Bill>();
+    const std::vector<double> uses = uses_of(rows, columns.counts, bills);
     ReadingsLook look = look_for_quantum(uses);
     look.total = total_of(uses);
-    if (rows.stamps.step_s <= physics::day_s)
-        look_at_rows(rows, columns.interval, look);
+    if (is_by_bill)
+        look_at_bills(bills, look);
     else
-        look_at_bills(rows, columns, look);
+        look_at_rows(rows, columns.interval, look);
     return look;
 }
 

@@ -31,6 +31,18 @@ std::vector<Shape> seasons() {
                     {273, 90}});
 }
 
+Effect from_a_date(const char* name, int number, Hook hook, double least, double most,
+                   double typical) {
+    return {.name = name,
+            .number = number,
+            .hook = hook,
+            .driver = Driver::elapsed,
+            .shape = {Form::over, 0.5},
+            .least = least,
+            .most = most,
+            .typical = typical};
+}
+
 std::vector<Shape> dates() {
     std::vector<Shape> shapes;
     for (int month = 1; month < 24; ++month) shapes.push_back({Form::over, month / 12.0});

@@ -17,4 +17,8 @@ std::vector<Shape> seasons();
 /// Steps of the time elapsed, at every month of two years.
 std::vector<Shape> dates();
 
+/// An effect that begins on one of these dates.
+Effect from_a_date(const char* name, int number, Hook hook, double least, double most,
+                   double typical);
+
 }  // namespace bemcal::effects

@@ -4,10 +4,10 @@
 /// a schedule counts as infiltration. Hooks that add a part are left to entering.
 #include "effects/sites.hpp"
 
+#include "base/lower_case.hpp"
 #include "physics/air_hour.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -90,13 +90,6 @@ bool heats_a_zone(const physics::Load& load) {
 
 namespace {
 
-std::string small_letters(std::string name) {
-    std::ranges::transform(name, name.begin(), [](unsigned char letter) {
-        return static_cast<char>(std::tolower(letter));
-    });
-    return name;
-}
-
 bool begins_with_one_of(const std::string& name,
                         std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(
@@ -106,13 +99,13 @@ bool begins_with_one_of(const std::string& name,
 }  // namespace
 
 bool lights_a_zone(const physics::Load& load) {
-    const std::string name = small_letters(load.name);
+    const std::string name = lower_case(load.name);
     return heats_a_zone(load) && name.starts_with("light") &&
            name.find("equip") == std::string::npos;
 }
 
 bool equips_a_zone(const physics::Load& load) {
-    const std::string name = small_letters(load.name);
+    const std::string name = lower_case(load.name);
     return heats_a_zone(load) &&
            begins_with_one_of(name, {"equip", "plug", "device", "appliance"}) &&
            name.find("light") == std::string::npos;

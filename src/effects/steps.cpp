@@ -3,6 +3,8 @@
 /// What follows the weather is left to drivers.
 #include "effects/steps.hpp"
 
+#include "base/lower_case.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -19,9 +21,7 @@ Series over_largest(const Series& series) {
 }
 
 bool is_people(const physics::Load& load) {
-    std::string name = load.name;
-    for (char& letter : name)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string name = lower_case(load.name);
     return name.find("people") != std::string::npos ||
            name.find("occup") != std::string::npos;
 }

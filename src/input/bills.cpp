@@ -6,6 +6,7 @@
 #include "input/bills.hpp"
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "base/nan.hpp"
 #include "input/intervals.hpp"
 
@@ -131,13 +132,6 @@ std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
         bills.push_back({begin, end, values[row], false, row});
     }
     return bills;
-}
-
-std::string small_letters(std::string_view text) {
-    std::string small;
-    for (const char c : text)
-        small += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return small;
 }
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
@@ -331,7 +325,7 @@ std::vector<Bill> reads_of_register(const Csv& csv, const BillColumns& columns,
 void mark_estimated(const Csv& csv, const std::string& column, std::vector<Bill>& bills) {
     const std::size_t at = csv.column(column);
     for (Bill& bill : bills) {
-        const std::string word = small_letters(csv.cell(bill.row, at));
+        const std::string word = lower_case(csv.cell(bill.row, at));
         bill.is_estimated = is_one_of(word, {"1", "1.0", "true", "yes", "y", "e", "est",
                                              "estimate", "estimated", "x"});
         if (bill.is_estimated ||

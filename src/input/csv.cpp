@@ -6,6 +6,7 @@
 #include "input/csv.hpp"
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "input/data_text.hpp"
 #include "input/suggest.hpp"
 

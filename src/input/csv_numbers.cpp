@@ -6,6 +6,7 @@
 #include "input/csv_numbers.hpp"
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "base/nan.hpp"
 #include "input/data_text.hpp"
 

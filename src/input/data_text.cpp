@@ -6,6 +6,7 @@
 #include "input/data_text.hpp"
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 
 #include <algorithm>
 #include <array>
@@ -194,13 +195,6 @@ std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
     return text;
-}
-
-std::string lower_case(std::string_view text) {
-    std::string made(text);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return made;
 }
 
 }  // namespace bemcal::input

@@ -30,7 +30,4 @@ inline bool is_digit(char c) {
 /// Without blanks and tabs around it.
 std::string_view trimmed(std::string_view text);
 
-/// ASCII letters made small.
-std::string lower_case(std::string_view text);
-
 }  // namespace bemcal::input

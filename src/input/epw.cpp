@@ -226,17 +226,14 @@ void merge_shared(Chain& chain, EpwTable& table) {
 /// Hours between two files are as those without a row within one.
 void bridge(Chain& chain, const EpwTable& table) {
     const auto apart = table.weather.axis.start - chain.weather.axis.end();
-    const auto n = static_cast<std::size_t>(std::max<long>(0, apart.count() / 3600));
-    if (n == 0 || n > longest_epw_gap || table.weather.axis.n_steps == 0) return;
-    for (const EpwColumn& column : epw_columns)
-        (chain.weather.*column.series)
-            .insert((chain.weather.*column.series).end(), n, nan);
-    std::vector<int>& lines = chain.tables.back().lines;
-    lines.insert(lines.end(), n, lines.back());
+    const int n = static_cast<int>(apart.count() / 3600);
+    if (n <= 0 || n > longest_epw_gap || table.weather.axis.n_steps == 0) return;
     chain.decisions.push_back(
         fmt::format("{}: {} h before it are in no file, from {} on: taken as missing",
                     table.name, n, physics::format_time(chain.weather.axis.end())));
-    chain.weather.axis.n_steps += static_cast<int>(n);
+    add_missing_hours(n, chain.weather);
+    std::vector<int>& lines = chain.tables.back().lines;
+    lines.insert(lines.end(), static_cast<std::size_t>(n), lines.back());
 }
 
 void check_follows(const Chain& chain, const EpwTable& table) {

@@ -7,6 +7,7 @@
 #include "input/epw_table.hpp"
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "base/nan.hpp"
 #include "input/data_text.hpp"
 #include "input/time_zone.hpp"
@@ -392,12 +393,8 @@ void TableReader::leave_open(const Line& line, int n, const std::string& what) {
     }
     n_absent_ += n;
     ++n_gaps_;
-    for (const EpwColumn& column : epw_columns)
-        (table_.weather.*column.series)
-            .insert((table_.weather.*column.series).end(), static_cast<std::size_t>(n),
-                    nan);
+    add_missing_hours(n, table_.weather);
     table_.lines.insert(table_.lines.end(), static_cast<std::size_t>(n), line.number);
-    table_.weather.axis.n_steps += n;
 }
 
 void TableReader::check_absent() {
@@ -524,6 +521,14 @@ void TableReader::report() {
 }
 
 }  // namespace
+
+void add_missing_hours(int n, physics::Weather& weather) {
+    for (const EpwColumn& column : epw_columns) {
+        std::vector<double>& series = weather.*column.series;
+        series.insert(series.end(), static_cast<std::size_t>(n), nan);
+    }
+    weather.axis.n_steps += n;
+}
 
 EpwTable parse_epw_table(std::string_view text, const std::string& name, int year) {
     return TableReader(text, name, year).read();

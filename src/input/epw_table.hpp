@@ -36,6 +36,9 @@ struct EpwTable {
     std::vector<std::string> decisions;
 };
 
+/// Hours behind the last one, of which nothing is known.
+void add_missing_hours(int n, physics::Weather& weather);
+
 /// \param year  of the first row, or 0: as it says
 /// Throws UserError, see epw.hpp.
 EpwTable parse_epw_table(std::string_view text, const std::string& name, int year);

@@ -4,6 +4,7 @@
 /// A line that cannot be used keeps its complaint. Data are read by the worker alone.
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/lower_case.hpp"
 #include "description/building_readers.hpp"
 #include "description/result_names.hpp"
 #include "input/suggest.hpp"
@@ -69,13 +70,7 @@ void check_columns(const input::Csv& csv) {
 
 /// Letters more or less, or small for large ones, that make a name another one.
 int letters_off(const std::string& name, const std::string& other) {
-    const auto small = [](std::string text) {
-        std::ranges::transform(text, text.begin(), [](unsigned char c) {
-            return static_cast<char>(std::tolower(c));
-        });
-        return text;
-    };
-    return input::edit_distance(small(name), small(other));
+    return input::edit_distance(lower_case(name), lower_case(other));
 }
 
 /// Names of one thing.

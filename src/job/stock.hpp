@@ -19,6 +19,10 @@
 
 namespace bemcal::job {
 
+/// How far ends of readings are apart that say nothing [d]: files come late by days, and
+/// a fortnight is half of what a night looks at.
+inline constexpr int most_days_late = 14;
+
 struct StockLine {
     int line = 0;  ///< of the table; 0 in a folder
     std::string name;

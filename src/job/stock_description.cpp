@@ -142,9 +142,6 @@ constexpr const char* other_columns[] = {"name",
                                          "estimated",
                                          "year"};
 
-/// Days between the last readings of two meters that are told: files come late by days.
-constexpr int most_apart = 14;
-
 /// Keys of a meter, and of the weather, that the line says in other ways or not at all.
 constexpr std::string_view own_of_meter[] = {"name", "quantity", "file"};
 constexpr std::string_view own_of_weather[] = {"files", "format", "columns",
@@ -346,7 +343,7 @@ class Writer {
             for (const auto& [other, later] : last_days_) {
                 const auto apart = std::chrono::floor<std::chrono::days>(
                     physics::parse_time(later) - physics::parse_time(day));
-                if (apart.count() <= most_apart) continue;
+                if (apart.count() <= most_days_late) continue;
                 decide(name,
                        fmt::format("its readings end on {}, {} days before those of {}",
                                    day, apart.count(), other),

@@ -147,6 +147,9 @@ inline constexpr double share_in_exchange = 0.15;
 /// Of the evidence: what unseen blocks must show of it. Data: 70 right effects had 0.73
 /// or more (seeds 401 to 408, EnergyPlus), a third of the wrong ones 0.71 or less.
 inline constexpr double share_foretold = 0.72;
+/// Of what follows a step: the last part, which the first must foretell. Judgement: as
+/// much is left to learn its size from.
+inline constexpr double share_behind_step = 0.5;
 /// Evidence of what joins beside functions [thresholds]. Data: right effects had 3.8 or
 /// more (seed 408, EnergyPlus), wrong ones up to 2.8.
 inline constexpr double least_beside_functions = 3;

@@ -76,8 +76,11 @@ physics::Seconds LastReadings::begin_for(const effects::Effect& effect) const {
     const auto last = *std::ranges::max_element(data_.begins);
     const std::chrono::seconds since(
         std::llround(effect.shape.at * effects::elapsed_year_s));
-    const auto step = data_.training().from + since;
-    return std::max(quarter, step + (last - step) / 2);
+    const double left =
+        static_cast<double>((last - data_.training().from - since).count());
+    return std::max(
+        quarter,
+        last - std::chrono::seconds(std::llround(decisions::share_behind_step * left)));
 }
 
 double LastReadings::change_to(const Standing& after, const effects::Effect& effect) {

@@ -296,25 +296,25 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
     std::vector<StockRecord> parts(causes.size());
     CommonEffects common;
     PlaceEffects place;
-    LastDays last_days;
+    std::vector<double> ends;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const StockRecord whole = record(k);
         common.add(whole);
         place.add(whole);
-        last_days.add(whole);
+        ends.push_back(end_of_readings(whole));
         parts[k] = shared_part(whole);
     }
     const std::vector<OfAll> of_all = place.of_all();
     common.compare(of_all);
     find_shared_meters(parts);
+    const double middle = middle_end(std::move(ends));
     study::Conclusion night;
     night.datasets = datasets_of(causes.size(), [&](std::size_t k) {
         StockRecord whole = record(k);
         take_shared(std::exchange(parts[k], {}), whole);
         common.write(k, whole);
-        last_days.tell(whole, stock_.lines[k].cells.empty() ||
-                                  !stock_.lines[k].has("to") ||
-                                  stock_.lines[k].cell("to").empty());
+        const bool is_said = !stock_.lines[k].cell("to").empty();
+        tell_of_end(is_said ? 0 : middle, whole);
         return whole;
     });
     std::ranges::move(common.datasets(), std::back_inserter(night.datasets));

@@ -7,17 +7,15 @@
 
 namespace bemcal::stock {
 
-class LastDays {
-  public:
-    /// Of all buildings, before any is told.
-    void add(const StockRecord& record);
-    /// Puts a finding where its readings have stopped, in place of an earlier night's.
-    /// \param is_told  false of a building whose last day is somebody's word
-    void tell(StockRecord& record, bool is_told);
+/// Behind the last day with a reading [d since 1970]; 0 = none is known.
+double end_of_readings(const StockRecord& record);
 
-  private:
-    std::vector<double> days_;  ///< behind the last one with readings [d since 1970]
-    bool is_sorted_ = false;
-};
+/// The middle one of those that are known; 0 = none is.
+double middle_end(std::vector<double> ends);
+
+/// Puts a finding where readings have stopped well before that day, in place of an
+/// earlier night's. \param middle  0: nothing is told, as of a last day that is
+/// somebody's word
+void tell_of_end(double middle, StockRecord& record);
 
 }  // namespace bemcal::stock

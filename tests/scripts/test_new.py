@@ -592,6 +592,12 @@ class New(unittest.TestCase):
         self.assertIn("29 h have no row or no temperature, in gaps of up to 24 h; temperatures are filled by", said)
         self.assertEqual(self.checked()["weather"]["fill_gaps"], 24)
 
+    def test_cubic_feet_are_a_unit_that_may_be_said(self):
+        file = self.written("g.csv", ["month,use", *(f"{a:%Y-%m-%d},{total(gas, a, b) / 0.3177:.0f}" for a, b in
+                                                     zip(months(), months()[1:]))])
+        self.new(f"{file}:use:gas:ft3")
+        self.assertEqual(self.meter()["unit"], "ft3")
+
     def test_a_trend_with_times_of_its_own_is_refused(self):
         at = list(hours(2021, 2022))
         late = at[100:] + [at[-1] + (k + 1) * HOUR for k in range(100)]
