@@ -37,6 +37,7 @@ HVAC_TEMPLATES = "hvactemplate:"
 LEAST_SIZE = 1                 # m2 and m3, below which nothing is a room
 SD_OF_FILE = 0.25              # of the factor on U-values that a modeller wrote down
 IDEAL = (idf_ideal.SYSTEM, idf_ideal.TEMPLATE)
+AIR, ECONOMIZER, NO_ECONOMIZER = "Controller:OutdoorAir", "economizer_control_type", "noeconomizer"
 
 
 @dataclass(eq=False)           # a room is itself
@@ -176,6 +177,11 @@ def left_out_of(model):
         kinds = [several for several in kinds if several]
         if kinds:
             yield f"{sum(map(len, kinds))} {kinds[0][0].kind}{' and the like' if len(kinds) > 1 else ''}: {says}"
+    controllers = model.all(AIR)
+    cooling = [each for each in controllers if each.word(ECONOMIZER, NO_ECONOMIZER) != NO_ECONOMIZER]
+    if cooling:
+        yield f"economizers of {len(cooling)} of {len(controllers)} {AIR}; [[effect]] name = \"economiser\" may stand " \
+              "for them, or a loop finds air that cools"
     templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)
                  and kind not in idf.FIELDS]
     if templates:

@@ -15,6 +15,7 @@ UNITS = ("AirLoopHVAC:UnitaryHeatCool", "AirLoopHVAC:Unitary:Furnace:HeatCool", 
 ROOM_UNITS = ("ZoneHVAC:PackagedTerminalAirConditioner", "ZoneHVAC:PackagedTerminalHeatPump")
 VENTILATOR = "zonehvac:energyrecoveryventilator"   # which brings a zone its air without the unit
 MODE = "supply_air_fan_operating_mode_schedule_name"
+FAN_OF_UNIT = ("supply_fan_name", "supply_air_fan_name")
 # Of a year that such a fan runs: EnergyPlus's mean of the units of DOE's mid-rise apartment building in Chicago.
 SHARE_OF_TIME = 0.2
 
@@ -33,11 +34,22 @@ def says(model):
     return "fans" if None not in sizes else f"fans; where the file has no size {1000 * USUAL_FLOW:g} l/(s m2)"
 
 
+def share_of_time(schedules, unit):
+    """Of each hour that a unit's fan runs while it may: all of it, or as long as its coil."""
+    mode = schedules.of(unit, MODE) if unit.text(MODE) else idf_schedules.constant(0)
+    return np.where(mode > 0, 1.0, SHARE_OF_TIME)
+
+
+def available(model, schedules, unit):
+    """Hours in which a unit's fan may run."""
+    fan = next((fan for key in FAN_OF_UNIT for fan in [model.find(unit.text(key), *FANS)] if fan), None)
+    return (schedules.of(fan, "availability_schedule_name") if fan else idf_schedules.constant(1)) > 0
+
+
 def load_of(model, schedules, area):
     """Of all fans, by floor area [W/m2]."""
-    cycling = {unit.word(key) for unit in model.all(*UNITS, *ROOM_UNITS)
-               for key in ("supply_fan_name", "supply_air_fan_name")
-               if not unit.text(MODE) or schedules.of(unit, MODE).min() <= 0}
+    running = {unit.word(key): share_of_time(schedules, unit) for unit in model.all(*UNITS, *ROOM_UNITS)
+               for key in FAN_OF_UNIT if unit.text(key)}
     fans = [(fan, *keys) for kind, keys in FANS.items() for fan in model.all(kind)]
     total, heat = idf_schedules.constant(0), 0.0
     for fan, flow, pressure, in_stream in fans:
@@ -45,7 +57,7 @@ def load_of(model, schedules, area):
             fan.number("fan_total_efficiency", EFFICIENCY, 0.01, 1)
         motor = fan.number("motor_efficiency", MOTOR, 0.01, 1)
         time = schedules.of(fan, "availability_schedule_name")
-        drawn = power / area * np.clip(time, 0, 1) * (SHARE_OF_TIME if fan.name.lower() in cycling else 1)
+        drawn = power / area * np.clip(time, 0, 1) * running.get(fan.name.lower(), 1)
         total += drawn
         heat += (motor + (1 - motor) * fan.number(in_stream, IN_STREAM, 0, 1)) * drawn.mean()
     return Profile(total, heat / total.mean() if total.any() else 1, "electricity")
@@ -78,9 +90,9 @@ def shares_of_time(model, schedules, left_out):
     """{zone: profile}; other zones have their air at all hours."""
     found = {}
     for zone, unit in units_of_zones(model):
-        mode = schedules.of(unit, MODE) if unit.text(MODE) else idf_schedules.constant(0)
-        if mode.min() <= 0:
-            found[zone] = np.where(mode > 0, 1.0, SHARE_OF_TIME)
+        share = share_of_time(schedules, unit)
+        if np.any((share < 1) & available(model, schedules, unit)):
+            found[zone] = share
     if found:
         left_out.append(f"when the fans of {len(found)} zones run, which cycle with their coils: their outdoor air was "
                         f"taken to be {SHARE_OF_TIME:g} of what flows while they run; correct the flow \"ventilation\"")

@@ -260,6 +260,13 @@ class Box(unittest.TestCase):
                 fans = self.read(BOX + times + text).whole.loads["fans"]
                 self.assertAlmostEqual(fans.values.max(), power)
                 self.assertAlmostEqual(fans.share, 0.9)
+        mornings = "Schedule:Compact, Half, , Through: 12/31, For: AllDays, Until: 12:00, 1, Until: 24:00, 0;\n"
+        for available, told in (("", True), ("Half", False)):     # cycles only where it does not run
+            found = self.read(BOX + mornings + fan.format(available, 2) + unit.format("Half"))
+            hours = found.whole.loads["fans"].values / by_flow
+            self.assertTrue(np.allclose(hours[..., :12], 1))
+            self.assertTrue(np.allclose(hours[..., 12:], 0.2 if told else 0))
+            self.assertEqual(told, "cycle with their coils" in "".join(found.left_out))
         of_hours = self.read(BOX + fan.format("Work", 2)).whole
         self.assertTrue(np.array_equal(of_hours.loads["fans"].values > 0, of_hours.loads["lights"].values > 0))
         system = "Fan:SystemModel, Fan, , In, Out, 2, Discrete, 0, 600, 0.8, 0.5, , , , , 0.5;\n"
