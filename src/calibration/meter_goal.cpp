@@ -48,18 +48,15 @@ std::size_t period_index(const study::Case& building, const std::string& name) {
 std::vector<std::size_t> chosen_meters(const study::Case& building,
                                        const std::vector<std::string>& names,
                                        const std::vector<kernel::Readings>& readings) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t m = 0; m < building.meters.size(); ++m) {
-        const bool is_wanted = names.empty() ? study::has_reading(readings[m].values)
-                                             : is_in(names, building.meters[m].name);
-        if (is_wanted && !study::has_reading(readings[m].values))
+    std::vector<std::size_t> chosen = meters_named(building, names);
+    for (const std::size_t m : chosen)
+        if (!study::has_reading(readings[m].values))
             throw std::invalid_argument("the meter " + building.meters[m].name +
                                         " has no reading in the period");
-        if (is_wanted) chosen.push_back(m);
-    }
-    if (chosen.empty() || (!names.empty() && chosen.size() != names.size()))
-        throw std::invalid_argument(building.name +
-                                    " does not have the meters to be fitted");
+    for (std::size_t m = 0; names.empty() && m < building.meters.size(); ++m)
+        if (study::has_reading(readings[m].values)) chosen.push_back(m);
+    if (chosen.empty())
+        throw std::invalid_argument(building.name + " has no meter to be fitted");
     return chosen;
 }
 
@@ -69,6 +66,22 @@ double minus_log_likelihood(const stats::FitMetrics& metrics) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> meters_named(const study::Case& building,
+                                      const std::vector<std::string>& names) {
+    std::vector<std::size_t> found;
+    found.reserve(names.size());
+    for (const std::string& name : names) {
+        const auto meter = std::ranges::find(building.meters, name, &study::Meter::name);
+        if (meter == building.meters.end())
+            throw std::invalid_argument(building.name + " has no meter \"" + name + "\"");
+        const auto m = static_cast<std::size_t>(meter - building.meters.begin());
+        if (std::ranges::find(found, m) != found.end())
+            throw std::invalid_argument("the meter \"" + name + "\" is named twice");
+        found.push_back(m);
+    }
+    return found;
+}
 
 double weighted_error(const stats::FitMetrics& metrics,
                       const OptimisationOptions& options) {

@@ -45,6 +45,11 @@ class MeterGoal : public Goal {
     AskedMeters asked_;                ///< these in that period
 };
 
+/// Their indices in the building, in the order of the names, which weights have too.
+/// Throws std::invalid_argument for a name that no meter has, or that stands twice.
+std::vector<std::size_t> meters_named(const study::Case& building,
+                                      const std::vector<std::string>& names);
+
 /// Paper 2, eq. 4, with its weights. A correlation that is not defined counts as none;
 /// fewer than three readings have no such term.
 double weighted_error(const stats::FitMetrics& metrics,

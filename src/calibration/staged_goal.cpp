@@ -29,20 +29,16 @@ bool is_read(const std::vector<const PeriodModel*>& models, std::size_t meter) {
     });
 }
 
-/// Meters of that name, or all that are read.
+/// Meters of those names, or all that are read.
 std::vector<std::size_t> chosen_meters(const study::Case& building,
                                        const CalibrationStage& stage,
                                        const std::vector<const PeriodModel*>& models) {
-    const auto& names = stage.fit.meters;
-    std::vector<std::size_t> chosen;
-    for (std::size_t m = 0; m < building.meters.size(); ++m)
-        if (names.empty()
-                ? is_read(models, m)
-                : std::ranges::find(names, building.meters[m].name) != names.end())
-            chosen.push_back(m);
-    if (chosen.empty() || (!names.empty() && chosen.size() != names.size()))
-        throw std::invalid_argument("the stage " + stage.name +
-                                    " has no such meters in " + building.name);
+    std::vector<std::size_t> chosen = meters_named(building, stage.fit.meters);
+    for (std::size_t m = 0; stage.fit.meters.empty() && m < building.meters.size(); ++m)
+        if (is_read(models, m)) chosen.push_back(m);
+    if (chosen.empty())
+        throw std::invalid_argument("the stage " + stage.name + " has no meter in " +
+                                    building.name + " that is read");
     return chosen;
 }
 

@@ -39,11 +39,34 @@ void check_meter_steps(const Sources& sources, const study::Case& building) {
                             meter.name, meter.axis.step_s, building.step_s));
 }
 
+/// What is called held out should have no day that was trained on.
+void note_overlap(study::Case& building) {
+    const study::Period& training = building.periods.front();
+    for (const study::Period& period : building.periods) {
+        if (period.name != "held_out") continue;
+        const auto from = std::max(period.from, training.from);
+        const auto to = std::min(period.to, training.to);
+        if (from < to)
+            building.decisions.push_back(
+                {period.name,
+                 fmt::format(
+                     "shares {:.0f} days with {}, from {} to {}",
+                     std::chrono::duration<double>(to - from).count() / physics::day_s,
+                     training.name, physics::format_time(from), physics::format_time(to)),
+                 "kept; its errors are not those of unseen readings",
+                 study::DecisionKind::period});
+    }
+}
+
 /// \return whether periods and the site's clock are known: readings need them
 bool read_time_and_place(const Sources& sources, input::InputFiles& files,
                          study::Case& building) {
-    const bool has_periods =
-        sources.attempt([&] { building.periods = read_periods(sources); }, {"periods"});
+    const bool has_periods = sources.attempt(
+        [&] {
+            building.periods = read_periods(sources);
+            note_overlap(building);
+        },
+        {"periods"});
     sources.attempt([&] { read_run(sources, building); }, {"run"});
     const bool has_weather = sources.attempt(
         [&] { read_weather(sources, files, building); }, {"site", "weather"});

@@ -56,7 +56,7 @@ struct Job {
     /// Default result file; empty = beside the working folder.
     std::filesystem::path output;
     /// Quantities of nominal and best to store by hour.
-    std::vector<std::string> hourly_outputs;
+    std::vector<physics::Quantity> hourly_outputs;
     /// More failed points than this and the batch has failed.
     double max_failed_share = 0.05;
 };

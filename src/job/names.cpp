@@ -53,8 +53,18 @@ Words periods_at(const description::Sources& sources) {
     return names;
 }
 
+/// What stands twice in a list would have two weights, or be done again.
+void check_once(const schema::Section& section, const char* key, const Words& words) {
+    for (std::size_t k = 0; k < words.size(); ++k)
+        if (std::find(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(k),
+                      words[k]) != words.begin() + static_cast<std::ptrdiff_t>(k))
+            section.fail(key,
+                         fmt::format("names \"{}\" twice; expected each once", words[k]));
+}
+
 void check_words(const schema::Section& section, const char* key, const Words& words,
                  const Words& names, const char* kind, const std::string& building) {
+    check_once(section, key, words);
     if (names.empty()) return;
     section.attempt_each(words, [&](const std::string& word) {
         if (!has(names, word) && section.is_lost(kind)) throw schema::Follows();

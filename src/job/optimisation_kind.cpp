@@ -142,7 +142,8 @@ calibration::TargetAim aim_of(const TargetSpecs& targets, const study::Case& bui
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
-    const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
+    auto [options, targets, n_runs] = study.as<OptimisationStudy>();
+    options.hourly_outputs = job.hourly_outputs;
     if (job.simulator)
         return stages_of_simulator(study, job, n_runs, [&](auto simulator) {
             auto aimed = targets_of(targets, *simulator);

@@ -9,6 +9,7 @@
 #include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
+#include "posterior/building_model.hpp"
 #include "posterior/posterior.hpp"
 #include "posterior/simulator_posterior.hpp"
 #include "study/sampled_shapes.hpp"
@@ -98,12 +99,24 @@ void read(const StudySource& source, StudySpec& study) {
     study.options = std::move(options);
 }
 
-/// Draws are stored under the parameter's name, beside their dimensions.
+/// Names that draws have beside those of the parameters: their dimensions, their density,
+/// and the residuals of a building's meters.
+std::vector<std::string> taken_names(const PosteriorOptions& options,
+                                     const Case& building) {
+    std::vector<std::string> names = {"chain", "draw", "log_density", ".", ".."};
+    for (const study::Meter& meter : building.meters)
+        for (const auto& unknown : posterior::residual_unknowns(meter, options.residuals))
+            names.push_back(unknown.name);
+    return names;
+}
+
+/// Draws are stored under the parameter's name.
 void check_parameter_names(const schema::Section& section,
-                           const std::vector<physics::Parameter>& parameters) {
+                           const std::vector<physics::Parameter>& parameters,
+                           const std::vector<std::string>& taken) {
     for (const physics::Parameter& parameter : parameters)
-        if (parameter.name.find('/') != std::string::npos || parameter.name == "chain" ||
-            parameter.name == "draw" || parameter.name == "." || parameter.name == "..")
+        if (parameter.name.find('/') != std::string::npos ||
+            std::ranges::find(taken, parameter.name) != taken.end())
             section.fail("kind",
                          fmt::format("stores draws by parameter, and cannot for one "
                                      "called \"{}\"; expected another name",
@@ -165,7 +178,8 @@ void check_simulator(const StudyPlace& place, const PosteriorOptions& options) {
         description::check_word(section, "parameters", parameter,
                                 description::names_of(parameters),
                                 "[[simulator.parameter]]");
-    check_parameter_names(section, parameters);
+    check_parameter_names(section, parameters,
+                          taken_names(options, place.job.buildings[0]));
     check_meters(section, {options.period, options.parameters, options.meters},
                  place.job.buildings[0]);
 }
@@ -199,7 +213,8 @@ void check(const StudyPlace& place, StudySpec& study) {
     const Learning learning{options.period, options.parameters, options.meters};
     for (const Case& building : place.job.buildings) {
         check_parameters(place.section, learning, building);
-        check_parameter_names(place.section, building.parameters);
+        check_parameter_names(place.section, building.parameters,
+                              taken_names(options, building));
     }
     for (const Case& building : place.job.buildings)
         if (!is_unseen(options, building))

@@ -120,11 +120,7 @@ void read_output(const schema::Section& root, Job& job) {
     const schema::Section section = root.table("output", "output");
     section.attempt_all(
         [&] { job.output = section.text("file"); },
-        [&] {
-            for (const physics::Quantity quantity :
-                 description::read_quantities(section, "hourly"))
-                job.hourly_outputs.emplace_back(physics::name_of(quantity));
-        });
+        [&] { job.hourly_outputs = description::read_quantities(section, "hourly"); });
     job.max_failed_share = section.number("max_failed_share");
 }
 

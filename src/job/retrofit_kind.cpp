@@ -82,7 +82,7 @@ ScenarioChange read_change(const schema::Section& section, const study::Case& bu
         const physics::NumberInfo info = physics::info_of(building.building, target);
         const double number = retrofit::changed(
             physics::number_at(building.building, target), change.by, change.amount);
-        if (number < info.least || number > info.most)
+        if (!(number >= info.least && number <= info.most))
             section.fail_value(
                 way.key,
                 fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", info.name,

@@ -35,7 +35,14 @@ Way read_way(const schema::Section& change) {
                     "has no change; expected value, factor, offset or insulation");
     Way way = *found;
     way.amount = change.number(way.key);
-    if (way.by == ChangeBy::resistance) way.amount /= change.number("conductivity");
+    const bool is_layer = way.by == ChangeBy::resistance;
+    if (is_layer && !change.has("conductivity"))
+        change.fail("insulation",
+                    "has no conductivity beside it; expected that of the layer, as "
+                    "conductivity = 0.035");
+    if (!is_layer && change.has("conductivity"))
+        change.fail("conductivity", "is of insulation, which is missing beside it");
+    if (is_layer) way.amount /= change.number("conductivity");
     return way;
 }
 

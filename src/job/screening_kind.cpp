@@ -63,6 +63,13 @@ std::unique_ptr<study::Stage> screening_around(const StudySpec& study, const Job
         });
 }
 
+/// With the hours that [output] asks for.
+ScreeningOptions options_of(const StudySpec& study, const Job& job) {
+    auto options = study.as<ScreeningOptions>();
+    options.hourly_outputs = job.hourly_outputs;
+    return options;
+}
+
 void check_simulator(const StudyPlace& place, const StudySpec& study) {
     check_hourly_outputs(place, {});
     check_nominal(place, "a screening runs it first");
@@ -86,7 +93,7 @@ Stages stages(const StudySpec& study, const Job& job) {
     if (job.hourly_simulator) return only(screening_around(study, job));
     return for_each_building(study, job, [&](std::string name, const auto& building) {
         return calibration::make_screening(std::move(name), building,
-                                           study.as<ScreeningOptions>());
+                                           options_of(study, job));
     });
 }
 

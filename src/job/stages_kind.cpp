@@ -248,16 +248,27 @@ std::vector<calibration::CalibrationStage> read_stages(const schema::Section& se
     return stages;
 }
 
+/// Results are stored by the period.
+std::vector<calibration::ValidationPeriod> read_validation(
+    const schema::Section& section, const std::string& last_stage) {
+    std::vector<calibration::ValidationPeriod> periods;
+    for (const schema::Section& each : section.tables("validation", "study.validation")) {
+        const std::string period = each.text("period");
+        if (std::ranges::find(periods, period, &calibration::ValidationPeriod::period) !=
+            periods.end())
+            each.fail_value("period",
+                            "another [[study.validation]] has this period; expected "
+                            "each once");
+        periods.push_back({period, each.has("stage") ? each.text("stage") : last_stage});
+    }
+    return periods;
+}
+
 void read(const StudySource& source, StudySpec& study) {
     const schema::Section& section = source.section;
     StagedOptions options;
     options.stages = read_stages(section, source.seed);
-    for (const schema::Section& validation :
-         section.tables("validation", "study.validation"))
-        options.validation.push_back(
-            {validation.text("period"), validation.has("stage")
-                                            ? validation.text("stage")
-                                            : options.stages.back().name});
+    options.validation = read_validation(section, options.stages.back().name);
     options.at_once = section.flag("at_once");
     if (section.has("at_once_evaluations"))
         options.at_once_evaluations =

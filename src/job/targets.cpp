@@ -88,13 +88,26 @@ std::string no_meter(const std::string& name, const std::string& building) {
     return fmt::format("\"{}\" is no meter of {}", name, building);
 }
 
+/// The total of a meter is held against the same quantity.
+void check_quantity(const TargetSpec& target, const study::Meter& meter) {
+    if (meter.quantity != target.output.quantity)
+        throw std::invalid_argument(fmt::format(
+            "the meter \"{}\" is of {}, and the target of {}; expected a meter "
+            "of {}",
+            meter.name, physics::name_of(meter.quantity),
+            physics::name_of(target.output.quantity),
+            physics::name_of(target.output.quantity)));
+}
+
 std::size_t meter_of(const TargetSpec& target, const study::Case& building) {
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
         const study::Meter& meter = building.meters[m];
-        if (target.meter.empty() ? meter.quantity == target.output.quantity &&
-                                       study::has_reading(meter.values)
-                                 : meter.name == target.meter)
-            return m;
+        if (target.meter.empty() ? meter.quantity != target.output.quantity ||
+                                       !study::has_reading(meter.values)
+                                 : meter.name != target.meter)
+            continue;
+        check_quantity(target, meter);
+        return m;
     }
     const char* quantity = physics::name_of(target.output.quantity);
     if (!target.meter.empty())

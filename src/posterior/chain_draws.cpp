@@ -96,9 +96,11 @@ double least(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? std::nan("") : std::min(a, b);
 }
 
-/// An unknown that is the same in all draws is known: it has converged.
+/// An unknown that is the same in all draws is known: it has converged. Sums of the same
+/// number leave a rest of rounding.
 bool varies(const stats::Convergence& row) {
-    return row.sd > 0 || std::isnan(row.sd);
+    constexpr double rounding = 1e-12;
+    return row.sd > rounding * std::abs(row.mean) || std::isnan(row.sd);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ class Retrofit : public study::Stage {
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
-        if (answers.size() > 1) return {};
+        if (answers.size() > 1) return lost_scenarios(savings_of(answers));
         return fmt::format("{} found no points to apply the scenarios to", options_.of);
     }
 
@@ -186,9 +186,13 @@ void Retrofit::evaluate(std::size_t variant, const Matrix& numbers, Matrix& rows
     for (std::size_t r = 0; r < answers.size(); ++r) {
         std::string failure = numbers_.complaint(numbers.row(r));
         if (failure.empty()) failure = answers[r].failure;
-        if (failure.empty())
-            std::ranges::copy(answers[r].annual, rows.row(r).subspan(column).begin());
-        else if (failures[r].empty())
+        const auto outputs = rows.row(r).subspan(column, n_outputs);
+        if (failure.empty()) {
+            std::ranges::copy(answers[r].annual, outputs.begin());
+            continue;
+        }
+        std::ranges::fill(outputs, nan);
+        if (failures[r].empty())
             failures[r] = variant == 0
                               ? failure
                               : options_.scenarios[variant - 1].name + ": " + failure;
@@ -207,12 +211,13 @@ study::ItemAnswer Retrofit::run(int item) const {
     study::ItemAnswer answer;
     answer.failures = study::failures_of_points(failures, first);
     for (std::size_t r = 0; r < n; ++r)
-        if (!failures[r].empty()) std::ranges::fill(rows.row(r), nan);
+        if (std::isnan(rows(r, 0))) std::ranges::fill(rows.row(r), nan);
     answer.values = std::move(rows.values);
     return answer;
 }
 
-/// [points x width]; NaN where a point or its item failed. Row 0 is the description.
+/// [points x width]; NaN where a point, a scenario at it, or its item failed. Row 0 is
+/// the description.
 Matrix Retrofit::rows_of(const std::vector<study::ItemAnswer>& answers) const {
     Matrix rows(1 + (answers.size() > 1 ? found_.rows : 0), width(), nan);
     for (std::size_t k = 0; k < answers.size(); ++k)

@@ -11,6 +11,9 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace bemcal::retrofit {
 namespace {
 
@@ -77,6 +80,18 @@ void add_names(const Setting& setting, Savings& savings,
 }
 
 }  // namespace
+
+std::string lost_scenarios(const Savings& savings) {
+    std::vector<std::string> lost;
+    for (std::size_t k = 0; k < savings.scenarios.size(); ++k) {
+        const auto column = savings.rows.column((k + 1) * savings.outputs.size());
+        if (std::ranges::all_of(column, [](double value) { return std::isnan(value); }))
+            lost.push_back(
+                fmt::format("the scenario \"{}\" could be simulated at no point",
+                            savings.scenarios[k]));
+    }
+    return fmt::format("{}", fmt::join(lost, "; "));
+}
 
 void add_savings(const Setting& setting, Savings savings,
                  study::DatasetBuilder& datasets) {

@@ -25,6 +25,9 @@ struct Savings {
     physics::TimeAxis period;
 };
 
+/// The scenarios that could be simulated at no point, in a sentence; "" = none.
+std::string lost_scenarios(const Savings& savings);
+
 /// All datasets but failures.
 void add_savings(const Setting& setting, Savings savings,
                  study::DatasetBuilder& datasets);

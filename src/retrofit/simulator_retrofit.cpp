@@ -93,7 +93,7 @@ class SimulatorRetrofit : public study::Stage {
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
-        if (answers.size() > n_variants()) return {};
+        if (answers.size() > n_variants()) return lost_scenarios(savings_of(answers));
         return fmt::format("{} found no points to apply the scenarios to", options_.of);
     }
 

@@ -126,6 +126,24 @@ TEST(Optimisation, TakesOnlyTheNamedParametersAndMeters) {
                  std::invalid_argument);
 }
 
+TEST(Optimisation, AWeightIsOfTheMeterThatIsNamedInItsPlace) {
+    const auto error_of = [](std::vector<std::string> meters,
+                             std::vector<double> weights) {
+        calibration::OptimisationOptions options = options_of(10);
+        options.meters = std::move(meters);
+        options.meter_weights = std::move(weights);
+        const calibration::MeterGoal goal(measured_case(), options);
+        std::vector<std::string> failures;
+        return goal.evaluate(nominal_row(goal.parameters()), failures).values[0];
+    };
+    const double gas = error_of({"gas"}, {1}), air = error_of({"air_temperature"}, {1});
+    EXPECT_NE(gas, air);
+    EXPECT_EQ(error_of({"gas", "air_temperature"}, {1, 0}), gas);
+    EXPECT_EQ(error_of({"air_temperature", "gas"}, {1, 0}), air);
+    EXPECT_EQ(error_of({"air_temperature", "gas"}, {0, 1}), gas);
+    EXPECT_THROW(error_of({"gas", "gas"}, {1, 0}), std::invalid_argument);
+}
+
 TEST(Optimisation, TakesADiscreteParameterFromItsTable) {
     Case made = measured_case();
     made.priors.resize(3);

@@ -273,6 +273,23 @@ void expect_refusal(calibration::StagedOptions options, const std::string& words
     }
 }
 
+TEST(Staged, AWeightIsOfTheMeterThatIsNamedInItsPlace) {
+    const auto found = [](Texts meters, std::vector<double> weights) {
+        calibration::StagedOptions options = two_stages();
+        options.at_once = false;
+        for (calibration::CalibrationStage& each : options.stages) {
+            each.fit.evaluations = 60;
+            each.fit.meters = meters;
+            each.fit.meter_weights = weights;
+        }
+        const auto made = calibration::make_staged("staged", measured_case(), options);
+        return find(run(*made), "calibration_objective").values;
+    };
+    const auto air = found({"air_temperature"}, {1});
+    EXPECT_EQ(found({"air_temperature", "gas"}, {1, 0}), air);
+    EXPECT_NE(found({"gas", "air_temperature"}, {1, 0}), air);
+}
+
 TEST(Staged, RefusesWhatCannotBe) {
     calibration::StagedOptions options = two_stages();
     options.validation = {{"later", "second"}};
@@ -295,7 +312,7 @@ TEST(Staged, RefusesWhatCannotBe) {
                                 ", which it does not calibrate, or it is empty");
     options = two_stages();
     options.stages[1].fit.meters = {"water"};
-    expect_refusal(options, "the stage second has no such meters in small");
+    expect_refusal(options, "small has no meter \"water\"");
     options = two_stages();
     options.validation = {{"unseen", "third"}};
     expect_refusal(options,

@@ -1,6 +1,7 @@
 /// Mistakes in a job: each with its exact message and exit code, and many at once.
 #include "job/bad_job.hpp"
 
+#include <array>
 #include <cctype>
 #include <set>
 #include <span>
@@ -363,13 +364,18 @@ std::set<std::string> places_of(const std::filesystem::path& description) {
     return places;
 }
 
-/// Whether one makes another study of the screening that the other names.
+/// Whether one makes another study of the screening or sensitivity that the other names.
 bool takes_named_study(const std::filesystem::path& one,
                        const std::filesystem::path& other) {
-    const bool is_named = text_of(other).find("of = \"screening\"") != std::string::npos;
-    return is_named && std::ranges::any_of(places_of(one), [](const std::string& place) {
-               return place.find("kind = \"screening\"") != std::string::npos;
-           });
+    return std::ranges::any_of(
+        std::array{"screening", "sensitivity"}, [&](const std::string& kind) {
+            const bool is_named =
+                text_of(other).find("of = \"" + kind + "\"") != std::string::npos;
+            return is_named &&
+                   std::ranges::any_of(places_of(one), [&](const std::string& place) {
+                       return place.find("kind = \"" + kind + "\"") != std::string::npos;
+                   });
+        });
 }
 
 /// At one place, or in numbers that one has from the other, they may make a third; so

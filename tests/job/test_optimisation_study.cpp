@@ -1,8 +1,12 @@
 /// Studies of kind "optimisation": what the keys become, and what is refused.
 #include "job/kind.hpp"
 #include "job/optimisation_kind.hpp"
-#include "job/small_office.hpp"
+#include "job/small_results.hpp"
 #include "plan/plan.hpp"
+#include "support/stage_answers.hpp"
+
+#include <algorithm>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +21,33 @@ constexpr const char* screening_study =
 std::filesystem::path write_job(const Folder& folder, const std::string& keys) {
     return write_small_office(folder, replaced(small_office_text(), screening_study,
                                                "kind = \"optimisation\"\n" + keys));
+}
+
+/// Paths of what the stages of a study store.
+std::vector<std::string> paths_of(const Job& job, const std::string& study) {
+    std::vector<std::string> paths;
+    for (const auto& stage : make_plan(job))
+        if (stage->name().ends_with("/" + study))
+            for (const study::Dataset& dataset :
+                 stage->conclude(test::answers_of(*stage)).datasets)
+                paths.push_back(dataset.path);
+    return paths;
+}
+
+TEST(OutputHourly, IsStoredOfNominalAndBestByScreeningAndOptimisation) {
+    const Folder folder;
+    const std::string small =
+        replaced(small_office_text(), "n_points = 256", "n_points = 8");
+    const auto screening =
+        paths_of(read_job(write_small_office(folder, small)), "screening");
+    const auto optimisation =
+        paths_of(read_job(write_job(folder, "evaluations = 20")), "optimisation");
+    for (const auto& [study, paths] :
+         {std::pair{"screening", screening}, {"optimisation", optimisation}})
+        EXPECT_EQ(std::ranges::count(paths, std::string("small_office/") + study +
+                                                "/training/hourly/electricity"),
+                  1)
+            << study;
 }
 
 TEST(OptimisationStudy, TakesEveryKey) {

@@ -1,5 +1,8 @@
 #include "posterior/chain_draws.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::study {
@@ -46,6 +49,19 @@ TEST(ChainDraws, AllRoundsOfAChainStandTogether) {
             EXPECT_EQ(draws.positions(c * 5 + d, 1), -(c * 1000.0 + d));
             EXPECT_EQ(draws.statistics(c * 5 + d, 0), (c * 1000.0 + d) / 10);
         }
+}
+
+TEST(ChainDraws, AnUnknownThatIsTheSameInAllDrawsHasConverged) {
+    posterior::ConvergenceTable table;
+    stats::Convergence settled;
+    settled.mean = 0.95;
+    settled.sd = 1e-15;  // of rounding
+    settled.rhat_rank = settled.ess_bulk = settled.ess_tail =
+        std::numeric_limits<double>::quiet_NaN();
+    table.rows = {settled};
+    EXPECT_EQ(table.worst_rhat(), 0);
+    table.rows[0].sd = 1e-9;  // it moves
+    EXPECT_TRUE(std::isnan(table.worst_rhat()));
 }
 
 TEST(ChainDraws, TheNextRoundStartsFromTheLastStates) {

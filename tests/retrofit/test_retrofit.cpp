@@ -3,6 +3,7 @@
 #include "study/find.hpp"
 #include "study/sampled_shapes.hpp"
 #include "study/small_case.hpp"
+#include "support/stage_answers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -285,7 +286,29 @@ TEST(Retrofit, APointBeyondTheMethodFailsWithItsReason) {
     EXPECT_EQ(test::find(results, "n_failed").values[0], 1);
     EXPECT_EQ(test::find(results, "failed_reason").texts[0],
               "tripled: u_value would be 12; expected 0 to 10 W/(m2 K)");
-    EXPECT_TRUE(std::isnan(test::find(results, "before").values[n_outputs]));
+    EXPECT_FALSE(std::isnan(test::find(results, "before").values[n_outputs]))
+        << "other scenarios keep the point";
+    EXPECT_TRUE(std::isnan(test::find(results, "after").values[n_outputs]));
+}
+
+TEST(Retrofit, AScenarioThatFailsEverywhereLosesNoOther) {
+    const Case house = steady_case();
+    const auto by = [&](const char* name, double factor) {
+        return retrofit::Scenario{name,
+                                  {change(house, "construction.wall.u_value",
+                                          retrofit::ChangeBy::factor, factor)},
+                                  {}};
+    };
+    const auto stage =
+        retrofit::make_retrofit("retrofit", house, house.periods[0],
+                                options_of({by("lost", 100), by("halved", 0.5)}));
+    stage->see(draws({0.5, 0.5}, {0.6, 1.2}));
+    const auto answers = test::answers_of(*stage);
+    EXPECT_EQ(stage->shortfall(answers),
+              "the scenario \"lost\" could be simulated at no point");
+    const auto after = test::find(stage->conclude(answers).datasets, "after").values;
+    EXPECT_TRUE(std::isnan(after[heating]));
+    EXPECT_GT(after[2 * n_outputs + heating], 0);
 }
 
 TEST(Retrofit, WithoutPointsItSaysSo) {
