@@ -100,7 +100,7 @@ def of_stages(study):
     for name, group in judged or found:
         fit, metrics = study.numbers(join(group, "version_fit")), study.texts(join(group, "metric"))
         unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
-        both = fit[[0, -1], 0, metrics.index(staged.RMSE)]
+        both = fit[[staged.BEFORE, staged.AFTER], 0, metrics.index(staged.RMSE)]
         if np.isfinite(both).all():
             told.append(f"in {name} from {fixed(both[0], 2)} to {fixed(both[1], 2)} {bare_unit(unit)}".strip())
     where = "on periods that were not calibrated on" if judged else "on the periods that were calibrated on"

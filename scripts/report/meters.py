@@ -11,6 +11,7 @@ import numpy as np
 from report import theme
 from report.picture import picture
 from report.pictures import DAY, DAYS, LEAST_SHARE, name_days, weeks_of
+from report.staged import AFTER, BEFORE
 from report.stored import join
 from report.words import fixed, listed, number, unit_said
 
@@ -27,7 +28,7 @@ TRAINING, JUDGED = "training", "validation"
 
 @dataclass
 class Meter:
-    """A meter in a period; of the models only the first and the last."""
+    """A meter in a period, with the models before and after a study."""
     name: str
     period: str
     unit: str
@@ -99,11 +100,11 @@ def nice(label):
 
 
 def models_of(study, group):
-    """The first and the last model."""
+    """Before and after: of candidates the nominal and the best, of versions none that stands beside."""
     simulated = study.numbers(join(group, "simulated"))
     if simulated.ndim == 2 and simulated.shape[0]:
         labels = labels_of(study, group, simulated.shape[0])
-        return {labels[k]: simulated[k] for k in sorted({0, simulated.shape[0] - 1})}
+        return {labels[k]: simulated[k] for k in (BEFORE, AFTER) if k < simulated.shape[0]}
     both = {"as described": "nominal", "posterior mean": "predicted_mean"}
     return {label: study.numbers(join(group, leaf)) for label, leaf in both.items() if study.has(join(group, leaf))}
 

@@ -10,6 +10,9 @@ Z_90 = 1.645                   # half of a 90 % interval, in standard deviations
 MOST_PANELS, MOST_CURVES = 24, 8
 NEARLY_ALL = 0.99              # of the readings: larger errors are not drawn
 RMSE = "rmse"
+# Of the versions stored. Those behind them stand beside: all parameters calibrated at once, and other studies.
+BEFORE, AFTER = 0, 1
+AT_ONCE = "at_once"            # behind the stages
 
 
 def is_calibrated(study):
@@ -43,11 +46,15 @@ def values(study):
         axis.grid(False, axis="y")
     axes[0].set(yticks=range(len(stages)), yticklabels=[short(stage) for stage in stages],
                 ylim=(len(stages) - 0.5, -0.5))
-    said = "; ".join(f"{names[p]} {number(found[s, p])}" for p in shown
-                     for s in np.flatnonzero(calibrated[:, p])[-1:])
+    said = "; ".join(f"{names[p]} {number(found[s, p])}" for p in shown for s in last_stage(stages, calibrated[:, p]))
     yield picture(figure, "Values by stage", f"Calibrated values in the last stage that has each parameter: {said}.",
                   "Dots: values; lines: 90 % intervals (1.645 standard deviations), cut at the range; grey: the range."
                   + and_more(len(all_shown), len(shown), "parameters"))
+
+
+def last_stage(stages, calibrated):
+    """The last that calibrates a parameter, as a list; all parameters at once are no stage."""
+    return [s for s, stage in enumerate(stages) if calibrated[s] and stage != AT_ONCE][-1:]
 
 
 def table(study):
@@ -82,7 +89,7 @@ def errors(study):
         fit, metrics = study.numbers(join(group, "version_fit")), study.texts(join(group, "metric"))
         for m, meter in enumerate(study.texts(join(group, "meter"))):
             if fit.ndim == 3 and m < fit.shape[1]:
-                rows.append((f"{name}, {meter}", fit[[0, -1], m, metrics.index(RMSE)],
+                rows.append((f"{name}, {meter}", fit[[BEFORE, AFTER], m, metrics.index(RMSE)],
                              study.texts(join(group, "version")), study.texts(join(group, "meter_unit"))[m]))
     if not rows:
         return
@@ -98,7 +105,7 @@ def errors(study):
     axis.set_xlim(left=0)
     axis.grid(False, axis="y")
     theme.legend_above(axis)
-    said = "; ".join(f"{name} from {number(both[0])} ({versions[0]}) to {number(both[1])} ({versions[-1]})"
+    said = "; ".join(f"{name} from {number(both[0])} ({versions[BEFORE]}) to {number(both[1])} ({versions[AFTER]})"
                      for name, both, versions, _ in rows)
     yield picture(figure, "Errors before and after", f"Root mean square errors: {said}.",
                   "Of stages before and after them, of periods of validation with the building as it was and as "
@@ -116,16 +123,17 @@ def distributions(study):
     said = []
     for axis, (name, group) in zip(axes, found):
         shares, level = study.numbers(join(group, "error_share")), study.numbers(join(group, "error_level"))
-        for version, colour in ((0, theme.BEFORE), (-1, theme.AFTER)):
+        for version, colour in ((BEFORE, theme.BEFORE), (AFTER, theme.AFTER)):
             axis.plot(level, 100 * shares[version, 0], color=colour)
         axis.set_title(short(name), fontsize=7.5)
         accuracy = study.number("accuracy")
         if np.isfinite(accuracy):
             axis.axvline(accuracy, color=theme.SOFT, linewidth=0.8, linestyle=":")
-        k = int(np.argmax(shares[-1, 0] >= 0.5)) if (shares[-1, 0] >= 0.5).any() else shares.shape[2] - 1
+        after = shares[AFTER, 0]
+        k = int(np.argmax(after >= 0.5)) if (after >= 0.5).any() else after.size - 1
         said.append(f"{name} half below {number(level[k])}")
         unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
-        reached = np.flatnonzero((shares[:, 0] >= NEARLY_ALL).all(axis=0))
+        reached = np.flatnonzero((shares[[BEFORE, AFTER], 0] >= NEARLY_ALL).all(axis=0))
         axis.set(ylim=(0, 100), xlim=(0, level[reached[0]] if reached.size else level[-1]),
                  xlabel=f"absolute error{unit_words(unit)}")
     for axis in axes[::2]:
@@ -144,8 +152,8 @@ def share_table(study):
         units += study.texts(join(group, "meter_unit"))
         for m, meter in enumerate(study.texts(join(group, "meter"))):
             if half.ndim == own.ndim == 2 and m < half.shape[1]:
-                rows.append([name, meter, fixed(100 * half[0, m], 0), fixed(100 * half[-1, m], 0),
-                             fixed(100 * own[0, m], 0), fixed(100 * own[-1, m], 0)])
+                rows.append([name, meter, *(fixed(100 * within[version, m], 0) for within in (half, own)
+                                            for version in (BEFORE, AFTER))])
     unit = unit_said(units[0].replace("degC", "K")) if len(set(units)) == 1 else "of the unit"
     accuracy = study.number("accuracy")
     own_words = f"{number(accuracy)} {unit} (accuracy)" if np.isfinite(accuracy) else "the accuracy"

@@ -172,30 +172,31 @@ def one_objective(study, random):
 def comparison(study, random, path, period):
     group = study.create_group(path)
     for name, values in (("meter", ["air"]), ("meter_unit", ["degC"]), ("period", [period]),
-                         ("version", ("before", "after")), ("metric", METRICS)):
+                         ("version", ("before", "after", "at_once", "posterior")), ("metric", METRICS)):
         text(group, name, values)
-    group["version_fit"] = np.array([0.6, 0.3])[:, None, None] * np.ones((2, 1, len(METRICS)))
+    group["version_fit"] = np.array([0.6, 0.3, 0.25, 0.45])[:, None, None] * np.ones((4, 1, len(METRICS)))
     group["error_level"] = np.array([0.1, 0.2, 0.5, 1, 2, 5])
-    group["error_share"] = np.array([[[0.1, 0.3, 0.6, 0.9, 1, 1]], [[0.3, 0.6, 0.9, 1, 1, 1]]])
-    group["share_within_half"] = group["share_within_accuracy"] = [[0.5], [0.8]]
+    group["error_share"] = np.array([[[0.1, 0.3, 0.6, 0.9, 1, 1]], [[0.3, 0.6, 0.9, 1, 1, 1]],
+                                     [[0.4, 0.7, 0.9, 1, 1, 1]], [[0.1, 0.2, 0.4, 0.6, 0.8, 1]]])
+    group["share_within_half"] = group["share_within_accuracy"] = [[0.5], [0.8], [0.9], [0.65]]
     air = group.create_group(f"periods/{period}/air")
     _, both = readings(air, random, "training", 8760)
     air["measured"][:] = air["measured"][:] / 50 + 18
-    air["simulated"] = both / 50 + 18
+    air["simulated"] = np.concatenate([both, 3 * both]) / 50 + 18
 
 
 def stages(study, random):
     end(study, "stages")
     parameters(study)
     names = ("envelope", "occupied")
-    text(study, "calibration_stage", names)
-    text(study, "calibration_from", ("initial", "envelope"))
-    value = np.stack([LEAST, MOST]) * [[1.2], [0.8]]
+    text(study, "calibration_stage", (*names, "at_once"))
+    text(study, "calibration_from", ("initial", "envelope", "initial"))
+    value = np.stack([LEAST, MOST, MOST]) * [[1.2], [0.8], [0.9]]
     study["calibration_start"], study["calibration_value"] = value * 0.99, value
-    study["calibration_sd"] = np.stack([(MOST - LEAST) / 20] * 2)
-    study["calibration_least"] = np.array([LEAST, [np.nan, *LEAST[1:]]])
-    study["calibration_most"] = np.array([MOST, [np.nan, *MOST[1:]]])
-    study["calibration_at_bound"] = np.array([[0, 1, 0], [0, 0, -1.0]])
+    study["calibration_sd"] = np.stack([(MOST - LEAST) / 20] * 3)
+    study["calibration_least"] = np.array([LEAST, [np.nan, *LEAST[1:]], LEAST])
+    study["calibration_most"] = np.array([MOST, [np.nan, *MOST[1:]], MOST])
+    study["calibration_at_bound"] = np.array([[0, 1, 0], [0, 0, -1.0], [0, 0, 0]])
     study["accuracy"] = 0.35
     for name in names:
         comparison(study, random, f"calibration/{name}", "training")

@@ -120,6 +120,19 @@ class EveryKind(unittest.TestCase):
                          "the data tell these only together with others: heat_capacity_of_the_second_mass; the data "
                          "say nothing of these: set_point.")
 
+    def test_stages_are_told_before_and_after_without_what_stands_beside(self):
+        """All parameters at once and other studies are versions too, behind those of the stages."""
+        section = self.of("stages")
+        alts = {one.title: one.alt for one in section.pictures}
+        self.assertIn("in may from 0.60 to 0.30 K", section.answer)
+        self.assertIn("infiltration 0.12; set_point 18.4; heat_capacity", alts["Values by stage"])
+        self.assertIn("may, air from 0.6 (before) to 0.3 (after)", alts["Errors before and after"])
+        self.assertIn("may half below 0.2", alts["How large the errors are"])
+        within = next(table for part in section.parts for table in part.tables if table.title.startswith("Readings"))
+        self.assertIn(["may", "air", "50", "80", "50", "80"], within.rows)
+        largest = alts["Duration curve: air, may"]
+        self.assertRegex(largest, r"measured \S+ °C, before \S+ °C, after \S+ °C\.")
+
     def test_every_picture_says_in_words_what_it_shows(self):
         pictures = [one for section in self.sections for one in section.pictures]
         self.assertEqual(len(self.page.images), len(pictures))
