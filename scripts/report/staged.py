@@ -129,9 +129,7 @@ def distributions(study):
         accuracy = study.number("accuracy")
         if np.isfinite(accuracy):
             axis.axvline(accuracy, color=theme.SOFT, linewidth=0.8, linestyle=":")
-        after = shares[AFTER, 0]
-        k = int(np.argmax(after >= 0.5)) if (after >= 0.5).any() else after.size - 1
-        said.append(f"{name} half below {number(level[k])}")
+        said.append(f"{name} {half_below(shares[AFTER, 0], level)}")
         unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
         reached = np.flatnonzero((shares[[BEFORE, AFTER], 0] >= NEARLY_ALL).all(axis=0))
         axis.set(ylim=(0, 100), xlim=(0, level[reached[0]] if reached.size else level[-1]),
@@ -143,6 +141,12 @@ def distributions(study):
                   f"Cumulative distributions of absolute errors, after: {listed(said)}.",
                   "Share of the readings whose error is at most that; of the first meter."
                   + (" Dotted: the sensor's accuracy." if np.isfinite(study.number("accuracy")) else ""))
+
+
+def half_below(shares, level):
+    """Where the distribution reaches a half."""
+    reached = np.flatnonzero(shares >= 0.5)
+    return f"half below {number(level[reached[0]])}" if reached.size else f"fewer than half below {number(level[-1])}"
 
 
 def share_table(study):

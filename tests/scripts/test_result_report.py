@@ -19,7 +19,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import kinds, meters, page, picture, savings, screening, sobol, stored, theme  # noqa: E402
+from report import kinds, meters, page, picture, savings, screening, sobol, staged, stored, theme  # noqa: E402
 from report import words as report_words  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
@@ -326,6 +326,11 @@ class Numbers(unittest.TestCase):
         table, sentence = savings.table(study)
         self.assertEqual(table.head[3][0], "5 to 95 % of the best points")
         self.assertIn("not a probability", sentence)
+
+    def test_a_median_error_beyond_the_levels_is_told_as_beyond_them(self):
+        level, shares = np.array([0.1, 1.0, 5.0]), np.array([0.2, 0.5, 0.9])
+        self.assertEqual(staged.half_below(shares, level), "half below 1")
+        self.assertEqual(staged.half_below(shares / 2, level), "fewer than half below 5")
 
     def test_indices_of_hours_are_weighted_by_their_variance(self):
         cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
