@@ -6,7 +6,6 @@ Leaves out what a study does not store: then there is no sentence.
 import numpy as np
 
 from report import chains, savings, staged
-from report.grids import neighbours, stages_of
 from report.picture import bare_unit
 from report.screening import METRIC
 from report.sobol import order_of
@@ -79,13 +78,9 @@ def of_front(study):
 
 
 def of_aims(study):
-    """How near the nearest point of a grid comes."""
-    groups, targets = stages_of(study), study.texts("target")
-    kept = neighbours(study, groups[-1]) if groups else []
-    if not len(kept):
-        return ""
-    errors = study.numbers(join(groups[-1], "target_error"))[kept[0]]
-    units = study.texts("parameter_unit")
+    """How near the nearest point of a grid comes; it need not be of the last stage."""
+    errors = study.numbers("stage_target_error")[np.nanargmin(study.numbers("stage_distance"))]
+    targets, units = study.texts("target"), study.texts("parameter_unit")
     values = [f"{name} {number(value, 4)} {bare_unit(unit)}".strip() for name, value, unit in
               zip(study.texts("parameter"), study.numbers("nearest_parameters"), units)]
     missed = listed(f"{target} by {fixed(abs(error), 2)} %" for target, error in zip(targets, errors))
@@ -148,7 +143,7 @@ BY_KIND = {"sensitivity": (of_indices, "parameter output total_order"),
            "hourly_sensitivity": (of_series, "parameter series_total_order"),
            "screening": (of_candidates, "fit metric meter period"),
            "optimisation": (of_front, ""),
-           "grid": (of_aims, "target parameter parameter_unit nearest_parameters"),
+           "grid": (of_aims, "target parameter parameter_unit nearest_parameters stage_distance stage_target_error"),
            "stages": (of_stages, ""),
            "posterior": (of_unknowns, "unknown data_finding"),
            "kennedy_ohagan": (of_unknowns, "unknown data_finding"),

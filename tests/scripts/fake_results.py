@@ -125,10 +125,11 @@ def grid(study, random):
     study["target_measured"] = [2500.0, 12000.0]
     text(study, "grid_distance", "euclidean")
     text(study, "ended_by", "the target error is reached")
-    study["stage_points"], study["stage_distance"] = [27.0, 27.0], [3.0, 0.4]
+    study["stage_points"], study["stage_distance"] = [27.0, 27.0, 27.0], [3.0, 0.4, 0.7]
+    study["stage_target_error"] = [[2.0, -2.2], [0.25, -0.31], [-0.5, 0.49]]
     study["target_error_wanted"] = 0.5
     study["nearest_parameters"] = (LEAST + MOST) / 2
-    for k in (1, 2):
+    for k in (1, 2, 3):
         stage = study.create_group(f"stage_{k}")
         values = [low + (high - low) * np.array([0.2, 0.5, 0.8]) for low, high in zip(LEAST, MOST)]
         stage["grid_value"], stage["grid_parameter"] = np.concatenate(values), np.repeat(np.arange(3.0), 3)
