@@ -7,6 +7,7 @@ import numpy as np
 
 from report import chains, savings, staged
 from report.picture import bare_unit
+from report.result import overlap
 from report.screening import METRIC
 from report.sobol import order_of
 from report.stored import join
@@ -56,13 +57,23 @@ def of_candidates(study):
     fit, metrics, periods = study.numbers("fit"), study.texts("metric"), study.texts("period")
     if fit.ndim != 4 or METRIC not in metrics or not periods:
         return ""
-    last = len(periods) - 1
+    last, words = len(periods) - 1, seen(study, periods)
     errors = fit[:, last, :, metrics.index(METRIC)]
     told = [f"{meter} from {percent(errors[0, m], 1)} to {percent(errors[-1, m], 1)}"
             for m, meter in enumerate(study.texts("meter")) if np.isfinite(errors[[0, -1], m]).all()]
-    unseen = "which it has not seen" if last > 0 else "which chose it: no readings were held out"
-    return f"From the description to the best point, CV(RMSE) in {periods[last]}, {unseen}, went so: " \
+    return f"From the description to the best point, CV(RMSE) in {periods[last]}{words} went so: " \
            f"{listed(told[:MOST])}." if told else ""
+
+
+def seen(study, periods):
+    """", which it has not seen,": how the last period lies to training; "" where that is not known."""
+    training, last = ([study.numbers(join(group, "time")) for group in study.groups_with("time")
+                       if period in group.split("/")] for period in (periods[0], periods[-1]))
+    if len(periods) == 1:
+        return ", which chose it: no readings were held out,"
+    if not training or not last:
+        return ""
+    return f", which overlaps {periods[0]}," if overlap(training, last) else ", which it has not seen,"
 
 
 def of_front(study):

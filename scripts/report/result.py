@@ -124,6 +124,12 @@ def rows_in(group, columns):
                                for field, values in lists.items()}) for k in range(n)]
 
 
+def overlap(first, second):
+    """Whether two periods have time in common; of each the times of its series [s]."""
+    first, second = (np.concatenate([np.empty(0), *series]) for series in (first, second))
+    return bool(first.size and second.size and max(first.min(), second.min()) <= min(first.max(), second.max()))
+
+
 def effects_in(group):
     """The effects found, each with the members of its class and what it brings."""
     effects, members, values = (rows_in(group, columns) for columns in (EFFECT, MEMBER, EFFECT_VALUE))
@@ -306,6 +312,13 @@ class Loop:
     @property
     def has_held_out(self):
         return self.judged != self.periods[0]
+
+    @property
+    def saw_judged(self):
+        """Whether the period of judging has days of training."""
+        first, second = ([series.time for series in self.all_series.get(period, {}).values()]
+                         for period in (self.periods[0], self.judged))
+        return overlap(first, second)
 
     def _judged(self):
         """The period that pictures show: the first with readings after training."""

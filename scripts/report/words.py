@@ -208,14 +208,20 @@ def changes(rows, since, until):
     return "; ".join(parts)
 
 
+def seen(loop):
+    """What the search has seen of the period of judging."""
+    if not loop.has_held_out:
+        return "was calibrated on"
+    return f"overlaps {loop.periods[0]}" if loop.saw_judged else "the search has not seen"
+
+
 def judged(loop):
     """What the effects did to the errors where the model was judged."""
     rows = loop.judged_errors()
     n = len(loop.effects) + len(loop.functions)
     if not rows or n == 0:
         return "" if rows else "Nothing is measured there, so that there is no error."
-    where = f"With {'it' if n == 1 else 'them'}, in {loop.judged}, which " \
-        "the search has not seen, " if loop.has_held_out else \
+    where = f"With {'it' if n == 1 else 'them'}, in {loop.judged}, which {seen(loop)}, " if loop.has_held_out else \
         "No readings were held out, so that nothing here shows how well the model predicts; in " \
         "training, where any effect lowers it, "
     return f"{where}{changes(rows, BEFORE, AFTER)}."

@@ -188,6 +188,15 @@ class LoopReport(unittest.TestCase):
             stored["office/loop/fit"][:, :, 0] = np.nan
         return file
 
+    def test_a_period_that_overlaps_training_is_not_unseen(self):
+        file = fake_loop_result.write(self.folder / "overlap.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:
+            stored["office/loop/held_out/time"][:] -= 180 * 86400
+        text = Page(html_of(file)).text
+        self.assertIn("in held_out, which overlaps training, the error fell", text)
+        self.assertIn("On held_out, which overlaps training.", text)
+        self.assertNotIn("has not seen", text)
+
     def test_a_name_is_told_from_the_programs_chance_on(self):
         header = (pathlib.Path(__file__).resolve().parents[2] / "src" / "loop" / "decisions.hpp").read_text()
         self.assertIn(f"enough_chance = {loop_page.TOLD};", header)

@@ -19,7 +19,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import kinds, meters, page, picture, savings, screening, sobol, staged, stored, theme  # noqa: E402
+from report import answers, kinds, meters, page, picture, savings, screening, sobol, staged, stored, theme  # noqa: E402
 from report import words as report_words  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
@@ -120,6 +120,20 @@ class EveryKind(unittest.TestCase):
         self.assertEqual(self.of("posterior").answer, "Of 3 calibrated inputs the data narrow these: infiltration; "
                          "the data tell these only together with others: heat_capacity_of_the_second_mass; the data "
                          "say nothing of these: set_point.")
+
+    def test_a_period_is_unseen_only_where_it_lies_apart_from_training(self):
+        """Its readings from half a year earlier on, or no times at all."""
+        study = next(study for study in self.result.studies if study.kind == "screening")
+        self.assertIn("CV(RMSE) in held_out, which it has not seen, went so", answers.answer(study))
+
+        def moved(seconds):
+            return {path: values + seconds if path.startswith("held_out/") and path.endswith("/time") else values
+                    for path, values in study.values.items()}
+        for values, words in ((moved(-180 * meters.DAY), "in held_out, which overlaps training, went so"),
+                              ({path: each for path, each in study.values.items() if not path.endswith("/time")},
+                               "in held_out went so")):
+            said = answers.answer(stored.Study(study.path, study.kind, values, periods=study.periods))
+            self.assertIn(words, said)
 
     def test_stages_are_told_before_and_after_without_what_stands_beside(self):
         """All parameters at once and other studies are versions too, behind those of the stages."""
