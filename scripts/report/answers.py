@@ -14,6 +14,7 @@ from report.stored import join
 from report.words import fixed, listed, number, percent
 
 MOST, LEAST_SHARE = 4, 0.05            # outputs, parameters, scenarios in a sentence; a share that is told
+LEAST_RISE = 0.01                      # of a scenario's largest change: a smaller rise is not told
 # What the data say of unknowns, by the words of their findings.
 OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("the data tell these only together with others", ("confounded",)),
@@ -134,19 +135,43 @@ def some(names):
 
 
 def of_savings(study):
-    """What each scenario saves of what it saves most of."""
-    shown = savings.outputs(study, False)
+    """What each scenario saves of what it saves most of, and what rises; without those that change nothing."""
+    shown, hours = savings.outputs(study, False), savings.outputs(study, True)
     if not shown:
         return ""
-    low, middle, high = savings.ends_and_middle(study, "saving_quantile")
-    names, units = study.texts("output"), study.texts("output_unit")
-    told = []
-    for s, scenario in enumerate(study.texts("scenario")[:MOST]):
-        k = max(shown, key=lambda output, s=s: middle[s, output])
-        told.append(f"{scenario} {number(middle[s, k], 3)} {units[k]} of {names[k]} "
-                    f"({number(low[s, k], 3)} to {number(high[s, k], 3)})")
+    saved = np.nan_to_num(savings.saved(study))
+    told = [f"{scenario} {of_scenario(study, saved[:, s], shown, hours)}"
+            for s, scenario in enumerate(study.texts("scenario")) if saved[:, s, shown + hours].any()]
+    if not told:
+        return f"No scenario changes anything{savings.period_words(study)}."
     sure = "" if savings.is_one_point(study) else f", with the {savings.intervals_words(study)}"
-    return f"Saved{savings.period_words(study)}{sure}: {'; '.join(told)}."
+    return f"Saved{savings.period_words(study)}{sure}: {'; '.join(told[:MOST])}."
+
+
+def of_scenario(study, saved, shown, hours):
+    """"20005 kWh of gas (19971 to 20036), but electricity rises by 5626 kWh (5617 to 5635)".
+
+    saved  lowest, middle and highest saving [3 x output]
+    """
+    low, middle, high = saved
+    names, units = study.texts("output"), study.texts("output_unit")
+    best = max(shown, key=lambda k: middle[k])
+    text = f"{number(middle[best], 3)} {units[best]} of {names[best]}{span(study, low[best], high[best])}" \
+        if middle[best] > 0 else "nothing"
+    rises = [f"{names[k]} {'' if n else 'rises '}by {number(-middle[k], 3)} {units[k]}{span(study, -high[k], -low[k])}"
+             for n, k in enumerate(rising(middle, units, shown + hours)[:MOST])]
+    return f"{text}, but {listed(rises)}" if rises else text
+
+
+def span(study, least, most):
+    return "" if savings.is_one_point(study) else f" ({number(least, 3)} to {number(most, 3)})"
+
+
+def rising(middle, units, outputs):
+    """The outputs that rise by what counts beside the scenario's largest change in the same unit."""
+    def largest(unit):
+        return max(abs(middle[k]) for k in outputs if units[k] == unit)
+    return [k for k in outputs if middle[k] < 0 and -middle[k] >= LEAST_RISE * largest(units[k])]
 
 
 BY_KIND = {"sensitivity": (of_indices, "parameter output total_order"),

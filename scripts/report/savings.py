@@ -7,6 +7,7 @@ from report.words import fixed, listed, number, percent
 
 HOURS = "h"                    # unit of what is counted for comfort
 SMALL = 1e-9
+NOISE = 1e-6                   # of an output: a smaller saving is what rounding leaves
 OF_DRAWS = "posterior"
 DAY = 86400                    # [s]
 
@@ -23,6 +24,14 @@ def ends_and_middle(study, name):
     """The lowest, the middle and the highest quantile stored [3 x ...]."""
     values = np.moveaxis(study.numbers(name), 1 if study.numbers(name).ndim == 3 else 0, 0)
     return values[[0, len(values) // 2, -1]]
+
+
+def saved(study):
+    """The lowest, the middle and the highest saving [3 x scenario x output]; what rounding leaves is 0."""
+    values = ends_and_middle(study, "saving_quantile")
+    before, after = (np.nan_to_num(np.abs(study.numbers(f"{name}_quantile"))) for name in ("before", "after"))
+    sizes = np.maximum(before.max(axis=0), after.max(axis=(0, 1)))
+    return np.where(np.abs(values) <= NOISE * sizes, 0.0, values)
 
 
 def is_of_draws(study):
@@ -55,7 +64,7 @@ def intervals_words(study):
 def savings(study):
     """Absolute savings of each output, by scenario."""
     scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
-    low, middle, high = ends_and_middle(study, "saving_quantile")
+    low, middle, high = saved(study)
     share = ends_and_middle(study, "saving_share_quantile") if study.has("saving_share_quantile") else None
     shown = [k for k in outputs(study, False) if np.nanmax(np.abs(middle[:, k])) > SMALL]
     if not shown:
@@ -124,7 +133,7 @@ def beside(study, shown, title, what, more=""):
 
 def table(study):
     scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
-    low, middle, high = ends_and_middle(study, "saving_quantile")
+    low, middle, high = saved(study)
     share = ends_and_middle(study, "saving_share_quantile")[1]
     rows = [[scenario, names[k], number(middle[s, k], 4), f"{number(low[s, k], 4)} to {number(high[s, k], 4)}",
              units[k], percent(share[s, k], 1)]

@@ -257,18 +257,18 @@ def kennedy_ohagan(study, random, n=12, n_runs=8):
 
 def retrofit(study, random):
     end(study, "retrofit")
-    text(study, "scenario", ("new windows", "heat pump"))
-    outputs = ("heating", "electricity", "too_cold")
-    text(study, "output", outputs)
-    text(study, "output_unit", ("kWh", "kWh", "h"))
+    text(study, "scenario", ("as is", "new windows", "heat pump", "warmer"))
+    text(study, "output", ("heating", "electricity", "gas", "too_cold"))
+    text(study, "output_unit", ("kWh", "kWh", "kWh", "h"))
     text(study, "points_of", "office/posterior")
     study["quantile"], study["comfort_limit"] = [0.05, 0.5, 0.95], [19.0, 26.0]
     study["simulated_period"] = [1420070400.0, 1451606400.0]     # 2015
     levels = np.array([0.9, 1.0, 1.1])[:, None]
-    study["before_quantile"] = levels * [20000, 8000, 40]
-    after = np.array([[15000, 8000, 30], [20000, 5000, 45]])[:, None] * levels
-    study["after_quantile"] = after
-    study["saving_quantile"] = study["before_quantile"][:] - after[:, ::-1]
+    before = np.array([20000, 8000, 22000, 40])
+    after = np.array([before, [15000, 8010, 16500, 30], [20000, 13000, 0, 45], [21000, 8000, 23100, 40]])
+    study["before_quantile"], study["after_quantile"] = levels * before, after[:, None] * levels
+    saving = (before - after)[:, None] * levels
+    study["saving_quantile"] = np.sort(saving + (saving == 0) * 3.4e-10, axis=1)     # as rounding leaves it
     study["saving_share_quantile"] = study["saving_quantile"][:] / study["before_quantile"][:]
 
 

@@ -19,7 +19,8 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import answers, kinds, meters, page, picture, savings, screening, sobol, staged, stored, theme  # noqa: E402
+from report import answers, kinds, meters, page, picture, savings, screening, sobol, staged, stored  # noqa: E402
+from report import theme  # noqa: E402
 from report import words as report_words  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
@@ -115,8 +116,11 @@ class EveryKind(unittest.TestCase):
         self.assertIn("What matters most", self.of("sensitivity").answer)
         self.assertIn("The nearest point misses electricity by 0.25 % and gas by 0.31 %. It has infiltration 0.55 1/h",
                       self.of("grid").answer)
-        self.assertIn("new windows 5000 kWh of heating", self.of("retrofit").answer)
-        self.assertIn("Saved over 2015-01-01 to 2015-12-31 (365 days)", self.of("retrofit").answer)
+        self.assertEqual(self.of("retrofit").answer, "Saved over 2015-01-01 to 2015-12-31 (365 days), with the 5 to 95 "
+                         "% quantile: new windows 5500 kWh of gas (4950 to 6050); heat pump 22000 kWh of gas (19800 to "
+                         "24200), but electricity rises by 5000 kWh (4500 to 5500) and too_cold by 5 h (4.5 to 5.5); "
+                         "warmer nothing, but heating rises by 1000 kWh (900 to 1100) and gas by 1100 kWh (990 to "
+                         "1210).")
         self.assertEqual(self.of("posterior").answer, "Of 3 calibrated inputs the data narrow these: infiltration; "
                          "the data tell these only together with others: heat_capacity_of_the_second_mass; the data "
                          "say nothing of these: set_point.")
@@ -346,6 +350,22 @@ class Numbers(unittest.TestCase):
         level, shares = np.array([0.1, 1.0, 5.0]), np.array([0.2, 0.5, 0.9])
         self.assertEqual(staged.half_below(shares, level), "half below 1")
         self.assertEqual(staged.half_below(shares / 2, level), "fewer than half below 5")
+
+    def test_what_rounding_leaves_is_no_saving(self):
+        with tempfile.TemporaryDirectory() as folder:
+            study = stored.read(fake_results.write(pathlib.Path(folder) / "made.h5", ("retrofit",))).studies[0]
+        rows = [row for row in next(savings.table(study)).rows if row[0] == "as is"]
+        self.assertEqual([row[2:4] for row in rows], [["0", "0 to 0"]] * 4)
+        study.values["scenario"], study.values["saving_quantile"] = ["as is"], study.values["saving_quantile"][:1]
+        self.assertEqual(answers.answer(study),
+                         "No scenario changes anything over 2015-01-01 to 2015-12-31 (365 days).")
+
+    def test_a_saving_at_one_point_has_no_interval(self):
+        with tempfile.TemporaryDirectory() as folder:
+            study = stored.read(fake_results.write(pathlib.Path(folder) / "made.h5", ("retrofit",))).studies[0]
+        study.values["points"] = np.ones((1, 3))
+        self.assertIn("): new windows 5500 kWh of gas; heat pump 22000 kWh of gas, but electricity rises by 5000 kWh "
+                      "and too_cold by 5 h;", answers.answer(study))
 
     def test_indices_of_hours_are_weighted_by_their_variance(self):
         cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
