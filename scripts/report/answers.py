@@ -24,7 +24,7 @@ OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("these lie at an end of their range: it is too narrow, or they make up for what the model lacks",
                 ("at_edge",)))
 # Unknowns that no line of the job names: of a meter's residuals; of the stand-in.
-OF_RESIDUALS = ("constant", "proportional", "phi", "share", "length")
+OF_RESIDUALS = ("constant", "proportional", "phi", "share", "timescale")
 OF_STATISTICS = ("log_density", "lambda_", "beta_", "rho")
 
 

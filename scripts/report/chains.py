@@ -41,7 +41,13 @@ def of_unknowns(study, name):
 
 
 def units_of(study):
-    return dict(zip(study.texts("unknown"), study.texts("unknown_unit")))
+    """As stored; the size of a temperature's residuals, stored without a unit, is in kelvins."""
+    units = dict(zip(study.texts("unknown"), study.texts("unknown_unit")))
+    for group in study.groups_with("measured"):
+        name = f"{group.rpartition('/')[2]}_constant"
+        if name in units and study.units.get(join(group, "measured")) == "degC":
+            units[name] = "K"
+    return units
 
 
 def some(values, most=MOST_DRAWS):
@@ -239,9 +245,14 @@ def meanings(names):
               "matters there, a large lambda that the part varies little. The parts: eta is the simulator, delta " \
               "what it lacks (the discrepancy), e the error of a measurement."
     if any(name.endswith("_constant") for name in names):
-        yield "Of a meter's residuals, reading less prediction: METER_constant is the size of their constant part, " \
-              "METER_proportional that of the part in proportion to the prediction, METER_phi their correlation " \
-              "from one step to the next."
+        of_mean = "as a share of the mean reading (of several buildings together, of the mean that each description " \
+                  "predicts), of a temperature in K"
+        slow = "" if not any(name.endswith("_timescale") for name in names) else \
+            "; METER_share is the share of their variance that is slow, METER_timescale for about how many readings " \
+            "that lasts"
+        yield "Of a meter's residuals, reading less prediction: METER_constant is the standard deviation of their " \
+              f"constant part, {of_mean}; METER_proportional that of the part in proportion to the prediction, as a " \
+              f"share of it; METER_phi their correlation from one step to the next{slow}."
 
 
 def functions(study):

@@ -19,8 +19,8 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import answers, kinds, meters, page, picture, savings, screening, sobol, staged, stored  # noqa: E402
-from report import theme  # noqa: E402
+from report import answers, chains, kinds, meters, page, picture, savings, screening, sobol  # noqa: E402
+from report import staged, stored, theme  # noqa: E402
 from report import words as report_words  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
@@ -366,6 +366,22 @@ class Numbers(unittest.TestCase):
         study.values["points"] = np.ones((1, 3))
         self.assertIn("): new windows 5500 kWh of gas; heat pump 22000 kWh of gas, but electricity rises by 5000 kWh "
                       "and too_cold by 5 h;", answers.answer(study))
+
+    def test_the_size_of_residuals_says_what_it_is_of(self):
+        """Kelvins of a temperature, a share of the mean of anything else; it is stored without a unit."""
+        names = [f"{meter}_{part}" for meter in ("gas", "room") for part in ("constant", "share", "timescale")]
+        study = stored.Study("b/p", "posterior", {
+            "unknown": ["wall", *names], "unknown_unit": ["W/(m2 K)", *["-", "-", "readings"] * 2],
+            "data_finding": ["determined"] * 7, "training/gas/measured": np.ones(3),
+            "training/room/measured": np.ones(3), "training/gas/all/validation_fit": np.ones(1),
+            "training/room/all/validation_fit": np.ones(1), "training/gas/all/metric": ["n"],
+            "training/room/all/metric": ["n"]}, {"training/gas/measured": "kWh", "training/room/measured": "degC"})
+        units = chains.units_of(study)
+        self.assertEqual([units["gas_constant"], units["room_constant"]], ["-", "K"])
+        said, = chains.meanings(study.texts("unknown"))
+        for words in ("as a share of the mean reading", "of a temperature in K", "METER_share", "METER_timescale"):
+            self.assertIn(words, said)
+        self.assertEqual(answers.answer(study), "Of 1 calibrated input the data narrow these: wall.")
 
     def test_indices_of_hours_are_weighted_by_their_variance(self):
         cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
