@@ -15,6 +15,9 @@ from new_job.idf_geometry import C_FACTOR, F_FACTOR
 
 IP = 0.17611                   # m2 K/W of a ft2 h F/Btu
 R_OUTSIDE, R_WALL, R_UP, R_DOWN = 0.17 * IP, 0.68 * IP, 0.61 * IP, 0.92 * IP   # m2 K/W, ASHRAE 90.1 A9.4.1
+# Behind which the sun warms a surface: ISO 13790's. R_OUTSIDE is that of a winter's wind; over a year EnergyPlus has
+# 0.05 at the walls and 0.04 on the roof of DOE's strip mall (../shared/energyplus/so_null's weather).
+R_IN_SUN = 0.04
 STEEP, OVERHANG = 60, 120      # deg of tilt, between which a surface is a wall
 R_GLASS_OUTSIDE = 0.04         # m2 K/W, EN 673: 1/25
 R_GLASS_INSIDE = 0.13          # 1/7.7
@@ -64,6 +67,10 @@ class Opaque:
     absorptance: float
     emissivity: float
     r_outside: float
+
+    def film_in_sun(self):
+        """[m2 K/W], where a share of what passes has the sun, that share of it."""
+        return self.r_outside * R_IN_SUN / R_OUTSIDE
 
 
 @dataclass

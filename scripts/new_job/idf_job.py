@@ -150,7 +150,7 @@ def constructions(first):
         yield section("[[construction]]", ("name", each.name),
                       ("u_value", rounded(each.u_value), "films of ASHRAE 90.1"),
                       ("solar_absorptance", rounded(each.absorptance)), ("emissivity", rounded(each.emissivity)),
-                      ("external_resistance", rounded(each.r_outside)))
+                      ("external_resistance", rounded(each.film_in_sun())))
     for each in shell.glazing.values():
         yield section("[[glazing]]", ("name", each.name), ("u_value", rounded(each.u_value), each.says),
                       ("solar_transmittance", rounded(each.solar)), ("frame_fraction", 0, "the glass is the opening"))

@@ -862,6 +862,8 @@ class Box(unittest.TestCase):
         # The sun on the loft's roof comes through as heat from outdoors does.
         self.assertEqual((part.azimuth, part.tilt), (0, 0))
         self.assertAlmostEqual(found.whole.shell.opaque["Roof"].r_outside, OUTSIDE * outer / (outer + inner), 5)
+        self.assertAlmostEqual(found.whole.shell.opaque["Roof"].film_in_sun(), 0.04 * outer / (outer + inner), 5)
+        self.assertAlmostEqual(found.whole.shell.opaque["Wall"].film_in_sun(), 0.04)
         dark = self.read(text + loft.replace("Outdoors, , , ,", "Outdoors, , NoSun, ,"))
         (part,) = (p for p in dark.whole.shell.surfaces.values() if p.construction == "Roof")
         self.assertEqual((part.azimuth, part.tilt), (None, None))
