@@ -9,7 +9,8 @@ namespace bemcal::job {
 /// Of every design.
 inline constexpr schema::Key design_keys[] = {
     {"study", "n_base", schema::Type::integer, "", "1024", 2, 1 << 24,
-     "Base points N of Saltelli's N (d + 2); a power of two is best."},
+     "Base points N of Saltelli's N (d + 2); a power of two is best. Of "
+     "hourly_sensitivity at least 64."},
     {"study", "scramble", schema::Type::flag, "", "true", 0, 0, "Of the Sobol sequence."},
 };
 /// Of indices of single numbers.

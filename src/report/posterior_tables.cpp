@@ -121,9 +121,24 @@ std::string convergence_line(const Group& study, const std::vector<Unknown>& unk
         in_short(most), with_digits(ess, 0), least);
 }
 
+/// With as many decimals as two digits of its spread have.
+std::string to_spread(double value, double sd) {
+    constexpr int most_decimals = 6;
+    std::string shown = in_short(value);
+    if (!(sd > 0) || !std::isfinite(sd) || shown.find('e') != std::string::npos ||
+        !std::isfinite(value))
+        return shown;
+    const int needed =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(sd))), 0, most_decimals);
+    const std::size_t point = shown.find('.');
+    const std::size_t has = point == std::string::npos ? 0 : shown.size() - point - 1;
+    return static_cast<std::size_t>(needed) > has ? fmt::format("{:.{}f}", value, needed)
+                                                  : shown;
+}
+
 /// Mean and standard deviation.
 std::string plus_minus(double mean, double sd) {
-    return fmt::format("{} +- {}", in_short(mean), in_short(sd));
+    return fmt::format("{} +- {}", to_spread(mean, sd), in_short(sd));
 }
 
 /// "evenings by hour of the week 12": there may be fifty of a function.
@@ -173,7 +188,7 @@ std::string estimates_table(const std::vector<Unknown>& unknowns) {
         const stats::Convergence& c = unknown.convergence;
         if (unknown.name == "log_density") continue;
         const auto quantile = [&](double p) {
-            return in_short(stats::quantile_of_sorted(unknown.sorted, p));
+            return to_spread(stats::quantile_of_sorted(unknown.sorted, p), c.sd);
         };
         table.add(
             {unknown.name, unknown.unit, plus_minus(unknown.prior.mean, unknown.prior.sd),

@@ -106,7 +106,7 @@ std::string fit_table(const Group& study) {
     for (const std::string& period : study.texts("period"))
         for (std::size_t m = 0; m < study.texts("meter").size(); ++m)
             add_meter(table, study, period, m);
-    return table.text(16);
+    return table.text(16) + (table.is_empty() ? "" : guideline_note);
 }
 
 std::string count_lines(const Group& study) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -36,6 +37,29 @@ bool is_number(const std::string& cell) {
     return cell.empty() || cell == "-" || (cell.find_first_of("0123456789") <= 1);
 }
 
+/// The last n characters.
+std::string end_of(const std::string& cell, std::size_t n) {
+    const std::size_t before = width_of(cell) - std::min(n, width_of(cell));
+    return cell.substr(beginning_of(cell, before).size());
+}
+
+/// Whether cells that differ would look the same.
+bool look_alike(const std::vector<std::string>& cells, std::size_t widest) {
+    std::map<std::string, std::string> whole;
+    return std::ranges::any_of(cells, [&](const std::string& cell) {
+        return whole.emplace(cut(cell, widest), cell).first->second != cell;
+    });
+}
+
+/// Cut at their ends, or, where only these tell them apart, in the middle.
+void cut_all(std::vector<std::string>& cells, std::size_t widest) {
+    const bool keeps_ends = look_alike(cells, widest);
+    for (std::string& cell : cells)
+        cell = keeps_ends && width_of(cell) > widest
+                   ? cut(cell, widest / 2 + 1) + end_of(cell, widest - widest / 2 - 1)
+                   : cut(cell, widest);
+}
+
 std::string padded(const std::string& cell, std::size_t width, bool to_right) {
     const std::string gap(width - std::min(width, width_of(cell)), ' ');
     return to_right ? gap + cell : cell + gap;
@@ -55,18 +79,23 @@ void TextTable::add(std::vector<std::string> row) {
 
 std::string TextTable::text(std::size_t widest) const {
     const std::size_t n_columns = rows_[0].size();
+    std::vector<std::vector<std::string>> columns(n_columns);
     std::vector<std::size_t> widths(n_columns, 0);
     std::vector<bool> to_right(n_columns, true);
-    for (const auto& row : rows_)
-        for (std::size_t c = 0; c < n_columns; ++c) {
-            widths[c] = std::max(widths[c], width_of(cut(row[c], widest)));
+    for (std::size_t c = 0; c < n_columns; ++c) {
+        for (const auto& row : rows_) {
+            columns[c].push_back(row[c]);
             if (&row != &rows_[0] && !is_number(row[c])) to_right[c] = false;
         }
+        cut_all(columns[c], widest);
+        for (const std::string& cell : columns[c])
+            widths[c] = std::max(widths[c], width_of(cell));
+    }
     std::string out;
-    for (const auto& row : rows_) {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
         std::string line = " ";
         for (std::size_t c = 0; c < n_columns; ++c)
-            line += " " + padded(cut(row[c], widest), widths[c], to_right[c]) +
+            line += " " + padded(columns[c][r], widths[c], to_right[c]) +
                     (c + 1 < n_columns ? " " : "");
         line.erase(line.find_last_not_of(' ') + 1);
         out += line + "\n";

@@ -114,7 +114,7 @@ std::string validation_tables(const Group& study) {
         coverage.add({part.place, percent(at(shares, 0)), percent(at(shares, 1)),
                       percent(at(shares, 2)), percent(at(shares, 3))});
     }
-    return text_of(fits) + text_of(coverage);
+    return text_of(fits) + (fits.is_empty() ? "" : guideline_note) + text_of(coverage);
 }
 
 }  // namespace bemcal::report

@@ -31,5 +31,18 @@ TEST(TextTable, AFindingIsSaidToItsEnd) {
     EXPECT_NE(line.find(advice), std::string::npos);
 }
 
+TEST(TextTable, CellsThatOnlyTheirEndsTellApartKeepThem) {
+    TextTable table({"unknown"});
+    table.add({"electricity_constant of east"});
+    table.add({"electricity_constant of west"});
+    table.add({"infiltration"});
+    EXPECT_EQ(table.text(16),
+              "  unknown\n  electri..of east\n  electri..of west\n  infiltration\n");
+    TextTable other({"unknown"});
+    other.add({"electricity_constant of east"});
+    other.add({"infiltration"});
+    EXPECT_EQ(other.text(16), "  unknown\n  electricity_co..\n  infiltration\n");
+}
+
 }  // namespace
 }  // namespace bemcal::report
