@@ -173,6 +173,25 @@ effects::Days days_of(const physics::DateRange& range) {
             range.first_year == 0};
 }
 
+/// Numbers of a shape that would change nothing.
+void check_shape(const Section& section, const Effect& effect) {
+    const bool is_periodic = effect.driver == effects::Driver::hour ||
+                             effect.driver == effects::Driver::day_of_year;
+    const effects::Shape& shape = effect.shape;
+    if (effect.driver == effects::Driver::one && shape.form != effects::Form::linear)
+        section.fail("form", "has nothing to follow; expected a driver beside it");
+    if (section.has("at") && !effects::has_threshold(effect))
+        section.fail("at",
+                     "is the threshold of a form, and there is none; expected form = "
+                     "\"above\" or another, or no at");
+    if (section.has("until") && shape.form != effects::Form::within)
+        section.fail("until", "is of form = \"within\"; expected that form, or no until");
+    if (shape.form == effects::Form::within && shape.at > shape.until && !is_periodic)
+        section.fail("until",
+                     fmt::format("is below at = {:g}; expected the smaller number first",
+                                 shape.at));
+}
+
 void read_shape(const Section& section, physics::Seconds from, Effect& effect) {
     if (section.has("form"))
         effect.shape.form = enum_at<effects::Form>(section, "form", n_forms);
@@ -244,6 +263,15 @@ void read_gate(const Section& section, Effect& effect) {
 
 void read_place(const Section& section, const effects::Surroundings& around,
                 Effect& effect) {
+    if (section.has("meter") && !is_at_a_meter(effect.hook))
+        section.fail("meter",
+                     fmt::format("has no place at the hook \"{}\", which is of the "
+                                 "whole building; leave it out",
+                                 effects::name_of(effect.hook)));
+    if (section.has("facade") && !effects::has_facades(effect))
+        section.fail(
+            "facade",
+            "is of what acts on windows or follows the sun on them; leave it out");
     if (section.has("meter")) {
         const auto meter = section.choice_as<physics::Quantity>("meter");
         effect = effects::variants(effect, Each::meter, around, {&meter, 1}).at(0);
@@ -316,6 +344,7 @@ Effect read_effect(const Section& section, const study::Case& building,
     const Entry* row = effects::entry_named(name);
     Effect effect = row != nullptr ? of_catalogue(section, *row) : of_grammar(section);
     read_shape(section, around.from, effect);
+    if (row == nullptr) check_shape(section, effect);
     read_full_load(section, effect);
     read_gate(section, effect);
     read_place(section, around, effect);

@@ -359,12 +359,14 @@ constexpr DriverRow driver_table[] = {
      .name = "another day's schedule",
      .unit = "",
      .first_move = 0,
-     .of_steps = ones},
+     .of_steps = ones,
+     .has_number = true},
     {.driver = Driver::shifted_hours,
      .name = "shifted schedule",
      .unit = "",
      .first_move = 1,
-     .of_steps = ones},
+     .of_steps = ones,
+     .has_number = true},
     {.driver = Driver::constant_temperature,
      .name = "constant temperature",
      .unit = "",
@@ -372,7 +374,8 @@ constexpr DriverRow driver_table[] = {
      .of_steps =
          [](const Effect& effect, const Surroundings& around) {
              return each_step(around, [&](std::size_t) { return effect.shape.at; });
-         }},
+         },
+     .has_number = true},
     {.driver = Driver::column,
      .name = "column",
      .unit = "",

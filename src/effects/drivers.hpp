@@ -34,6 +34,7 @@ struct DriverRow {
     std::vector<double> (*of_steps)(const Effect&, const Surroundings&) = nullptr;
     const char* unit_of_threshold = nullptr;  ///< where it is another than `unit`
     std::array<Cells, 2> grammar{};
+    bool has_number = false;  ///< Shape::at is a number of its own, and no threshold
 };
 
 /// In the order of Driver.

@@ -194,6 +194,11 @@ const char* unit_of(Hook hook);
 const char* unit_of(Driver driver);  ///< "" where it has none
 /// Of the coefficient: "1/h per m/s".
 std::string unit_of(const Effect& effect);
+/// Whether `at` says anything: where a form has a threshold, or the driver or the hook a
+/// number of its own.
+bool has_threshold(const Effect& effect);
+/// Whether it may be of one facade: it acts on windows, or follows the sun on them.
+bool has_facades(const Effect& effect);
 /// How far the first move of its threshold, date or hour goes where a search moves it, in
 /// the driver's unit; 0 = it stays where it is.
 double first_move(const Effect& effect);

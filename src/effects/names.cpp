@@ -81,7 +81,18 @@ const char* unit_of(Driver driver) {
     return row_of(driver).unit;
 }
 
+bool has_facades(const Effect& effect) {
+    return effect.hook == Hook::aperture || effect.driver == Driver::bright ||
+           effect.driver == Driver::sun_on_facade;
+}
+
+bool has_threshold(const Effect& effect) {
+    return effect.shape.form != Form::linear || row_of(effect.driver).has_number ||
+           row_of(effect.hook).first_move > 0;
+}
+
 double first_move(const Effect& effect) {
+    if (!has_threshold(effect)) return 0;
     const double of_hook = row_of(effect.hook).first_move;
     return of_hook > 0 ? of_hook : row_of(effect.driver).first_move;
 }

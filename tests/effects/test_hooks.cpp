@@ -55,7 +55,8 @@ TEST(Drivers, AreSeriesOverTheStepsWhereTheOfficeHasThem) {
 
 TEST(FirstMoves, AreTheDriversOrTheOpeningsOwn) {
     const auto move = [](Hook hook, Driver driver) {
-        return first_move({.hook = hook, .driver = driver});
+        return first_move(
+            {.hook = hook, .driver = driver, .shape = {Form::within, 1, 2}});
     };
     EXPECT_EQ(move(Hook::gains, Driver::day_of_year), 14);
     EXPECT_EQ(move(Hook::gains, Driver::elapsed), 0.04);
@@ -65,6 +66,17 @@ TEST(FirstMoves, AreTheDriversOrTheOpeningsOwn) {
     EXPECT_EQ(move(Hook::aperture, Driver::bright), 50);
     EXPECT_EQ(move(Hook::infiltration, Driver::wind), 0);
     EXPECT_EQ(move(Hook::venting, Driver::one), 1.5);
+}
+
+TEST(FirstMoves, AreOfNumbersThatSaySomething) {
+    const auto of_linear = [](Hook hook, Driver driver) {
+        return first_move({.hook = hook, .driver = driver});
+    };
+    EXPECT_EQ(of_linear(Hook::opaque_boundary, Driver::sun_horizontal), 0);
+    EXPECT_EQ(of_linear(Hook::gains, Driver::elapsed), 0);
+    EXPECT_EQ(of_linear(Hook::operation, Driver::shifted_hours), 1);
+    EXPECT_EQ(of_linear(Hook::neighbour, Driver::constant_temperature), 2);
+    EXPECT_EQ(of_linear(Hook::venting, Driver::one), 1.5);
 }
 
 TEST(Hooks, LightsAreLoadsThatAreNamedSo) {
