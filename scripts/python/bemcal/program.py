@@ -198,7 +198,7 @@ def run(job: Union["Job", Path], ranks: int = 1, output: Optional[Path] = None, 
     first_chain   number of a posterior's first chain, for runs that are put together
     after         of a stock: result of the last night
     rerun_failed  does only the items again that failed
-    page          also writes the page with pictures beside the result of a loop
+    page          also writes the page with pictures beside the result
     echo          prints what the program prints, while it runs
 
     A run that misses a target (not converged, say) gives its Result and warns with NotReached; every other
