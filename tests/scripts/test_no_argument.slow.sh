@@ -25,7 +25,7 @@ tables=$(grep -v '^bemcal-batch: ' "$folder/log" | sed '/^$/d' | tail -n 1)
 [[ $tables == *held_out*electricity*monthly* ]] || fail "the last line is: $tables"
 in_one_line() { tr -s ' \n' ' '; }
 printed=$(in_one_line <"$folder/log")
-for part in '/^  effect found/,/^  other hours than declared:/p' '/^  error in held_out/,/^      to/p'; do
+for part in '/^  effect found/,/^  other hours than declared (/p' '/^  error in held_out/,/^      to/p'; do
   cut=$(sed -n "$part" "$(dirname "$0")/../../README.md" | in_one_line)
   [[ -n $cut && $printed == *"$cut"* ]] || fail "README.md shows what is not printed: $cut"
 done
