@@ -51,6 +51,9 @@ def file_of(job):
 
 
 def main():
+    if {"-h", "--help"} & set(sys.argv[1:]):
+        print(__doc__)
+        return
     if not real.DATA.exists():
         print(f"skipped: no readings in {real.DATA}")
         return

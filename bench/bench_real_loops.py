@@ -222,6 +222,9 @@ def jobs_in(folder, names):
 
 
 def main():
+    if {"-h", "--help"} & set(sys.argv[1:]):
+        print(__doc__)
+        return
     if not DATA.exists():
         print(f"skipped: no readings in {DATA}")
         return

@@ -399,6 +399,17 @@ std::vector<std::string> topics() {
     return all;
 }
 
+/// "FILE[:COLUMN]" of "FILE[:COLUMN]:PATH(existing)": the type without what it is checked
+/// for.
+std::string without_check(const std::string& type) {
+    int depth = 0;
+    const auto end = std::ranges::find_if(type, [&](char c) {
+        depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+        return c == ':' && depth == 0;
+    });
+    return {type.begin(), end};
+}
+
 manual::Option manual_of(const CLI::Option& option) {
     manual::Option made;
     for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
@@ -408,8 +419,7 @@ manual::Option manual_of(const CLI::Option& option) {
     if (made.names.empty())
         made.value = option.get_name();
     else if (option.get_expected_min() > 0) {
-        const std::string type = option.get_type_name();
-        made.value = type.substr(0, type.find(':'));  // without what it is checked for
+        made.value = without_check(option.get_type_name());
     }
     return made;
 }

@@ -138,6 +138,23 @@ std::string describe_job() {
     return text;
 }
 
+namespace {
+
+/// "construction.NAME.layer.NAME": where numbers of a part stand in a building.
+std::string path_of_part(physics::Part part) {
+    const std::string section = schema::section_of(part);
+    const std::size_t dot = section.find('.');
+    if (part == physics::Part::plant) return section;
+    if (part == physics::Part::meter) return section + ".QUANTITY";
+    if (part == physics::Part::radiator) return "zone.NAME.radiator";
+    return dot == std::string::npos
+               ? section + ".NAME"
+               : fmt::format("{}.NAME{}.NAME", section.substr(0, dot),
+                             section.substr(dot));
+}
+
+}  // namespace
+
 std::string describe_parameters() {
     std::string text =
         "Every number of a building that a [[parameter]] may name as its target. NAME is "
@@ -145,15 +162,11 @@ std::string describe_parameters() {
         "of the section, * means all; .low after a number is its value outside the "
         "schedule.\n\n";
     for (const physics::Field& field : physics::fields()) {
-        std::string path = schema::section_of(field.part);
-        if (const std::size_t dot = path.find('.'); dot != std::string::npos)
-            path = fmt::format("zone.NAME{}.NAME", path.substr(dot));
-        else if (field.part != physics::Part::plant)
-            path += ".NAME";
-        text += fmt::format("  {:<46} {:g} to {:g} {}. {}\n", path + "." + field.key,
-                            field.least, field.most, field.unit, field.sentence);
+        text += fmt::format("  {:<46} {:g} to {:g} {}. {}\n",
+                            path_of_part(field.part) + "." + field.key, field.least,
+                            field.most, field.unit, field.sentence);
     }
-    return text;
+    return text + "  effect.NAME: the coefficient of an [[effect]].\n";
 }
 
 }  // namespace bemcal::job

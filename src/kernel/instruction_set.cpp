@@ -21,13 +21,14 @@ InstructionSet wanted(const std::string& name) {
     for (InstructionSet set : widest_first)
         if (name == name_of(set)) {
             if (is_supported(set)) return set;
-            throw std::invalid_argument(
+            throw UserError(
+                ExitCode::usage,
                 fmt::format("BEMCAL_KERNEL = {}: this processor cannot run it; leave "
                             "BEMCAL_KERNEL unset",
                             name));
         }
-    throw std::invalid_argument(
-        fmt::format("BEMCAL_KERNEL = {}: expected scalar, v3 or v4", name));
+    throw UserError(ExitCode::usage,
+                    fmt::format("BEMCAL_KERNEL = {}: expected scalar, v3 or v4", name));
 }
 
 }  // namespace

@@ -93,6 +93,10 @@ TEST(Describe, ParametersNamesEveryNumberOfABuilding) {
     for (const physics::Field& field : physics::fields())
         EXPECT_NE(text.find(std::string(".") + field.key + " "), std::string::npos)
             << field.key;
+    for (const char* path :
+         {"construction.NAME.layer.NAME.thickness", "zone.NAME.radiator.",
+          "zone.NAME.load.NAME.density", "meter.QUANTITY.", "effect.NAME"})
+        EXPECT_NE(text.find(path), std::string::npos) << path;
 }
 
 }  // namespace

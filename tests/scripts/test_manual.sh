@@ -19,6 +19,7 @@ if command -v groff >/dev/null; then
   for word in run check describe status report adopt; do
     grep -q "bemcal-batch $word" bemcal-batch.1.txt || fail "the man page lacks the command $word"
   done
+  grep -q "FILE\[:COLUMN" bemcal-batch.1.txt || fail "the man page cuts the type of --meter"
   grep -q "u_value" bemcal-job.5.txt || fail "the man page of a job lacks u_value"
 else
   echo "groff is not there: the man pages were not formatted"
