@@ -474,12 +474,14 @@ class MeterReader {
     }
 
     [[noreturn]] void refuse_rows(int step_s) const {
+        constexpr int shortest_month_s = 28 * physics::day_s;
         section_.fail(
             "interval",
             fmt::format("is {}, but the rows of the file are {} s apart; expected "
                         "steps that divide an hour, hours, days, calendar months or "
-                        "years, none longer than the interval",
-                        physics::name_of(meter_.interval), step_s));
+                        "years, none longer than the interval{}",
+                        physics::name_of(meter_.interval), step_s,
+                        step_s >= shortest_month_s ? ", as interval = \"monthly\"" : ""));
     }
 
     bool has_reading_in(const study::Period& period) const {

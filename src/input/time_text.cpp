@@ -27,7 +27,9 @@ int digits(std::string_view text, std::size_t at, std::size_t n) {
 
 [[noreturn]] void fail_stamp(std::string_view text) {
     throw std::invalid_argument(fmt::format(
-        "\"{}\" is not a time; expected one like 2021-03-05 14:00", text.substr(0, 40)));
+        "\"{}\" is not a time; expected one like 2021-03-05 14:00, or its form as "
+        "time_format",
+        text.substr(0, 40)));
 }
 
 /// The part after "HH:MM": seconds and their fraction, then an offset.

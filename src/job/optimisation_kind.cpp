@@ -44,7 +44,8 @@ constexpr schema::Key keys[] = {
 /// What is minimised of the meters.
 void read_objective(const schema::Section& section, OptimisationOptions& options) {
     options.objective = section.choice_as<calibration::Objective>("objective");
-    if (options.objective != calibration::Objective::likelihood) {
+    if (options.objective == calibration::Objective::percent ||
+        options.objective == calibration::Objective::fraction) {
         options.cv_weight = section.number("cv_weight");
         options.r2_weight = section.number("r2_weight");
     }

@@ -270,6 +270,9 @@ void read(const StudySource& source, StudySpec& study) {
     options.stages = read_stages(section, source.seed);
     options.validation = read_validation(section, options.stages.back().name);
     options.at_once = section.flag("at_once");
+    if (!options.at_once && section.has("at_once_evaluations"))
+        section.fail("at_once_evaluations",
+                     "is of at_once, which is false; leave it out");
     if (section.has("at_once_evaluations"))
         options.at_once_evaluations =
             static_cast<std::size_t>(section.integer("at_once_evaluations"));

@@ -100,7 +100,7 @@ TEST(CsvFiles, WithLinesBetweenTheRowsSayHowToSkipThem) {
     EXPECT_NE(
         Form(readings).message().find(
             "measured.csv:2:time: \"Total 2021\" is not a time; expected one like "
-            "2021-03-05 14:00; name lines that are no rows in skip, and the line of "
+            "2021-03-05 14:00, or its form as time_format; name lines that are no rows in skip, and the line of "
             "names in header_line"),
         std::string::npos);
     expect_same_readings(readings, "skip = \"Total\"\n");

@@ -392,6 +392,7 @@ bool are_apart(const std::filesystem::path& one, const std::filesystem::path& ot
                [&](const std::string& place) { return places.contains(place); }) &&
            !takes_named_study(one, other) && !takes_named_study(other, one) &&
            !(is_of(one, "grid_") && is_of(other, "values_")) &&
+           !(is_of(one, "values_") && is_of(other, "grid_")) &&
            !(is_of(one, "layer_") && is_of(other, "same_name_")) &&
            !(is_of(one, "hours_of_") && is_of(other, "use_of_")) &&
            !(is_of(one, "holidays_") && is_of(other, "structure_")) &&
