@@ -15,6 +15,7 @@ from report.words import fixed, listed, number, percent
 
 MOST, LEAST_SHARE = 4, 0.05            # outputs, parameters, scenarios in a sentence; a share that is told
 LEAST_RISE = 0.01                      # of a scenario's largest change: a smaller rise is not told
+CURRENCY = "currency"          # unit of a cost
 # What the data say of unknowns, by the words of their findings.
 OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("the data tell these only together with others", ("confounded",)),
@@ -155,12 +156,19 @@ def of_scenario(study, saved, shown, hours):
     """
     low, middle, high = saved
     names, units = study.texts("output"), study.texts("output_unit")
-    best = max(shown, key=lambda k: middle[k])
-    text = f"{number(middle[best], 3)} {units[best]} of {names[best]}{span(study, low[best], high[best])}" \
-        if middle[best] > 0 else "nothing"
-    rises = [f"{names[k]} {'' if n else 'rises '}by {number(-middle[k], 3)} {units[k]}{span(study, -high[k], -low[k])}"
+    energies = [k for k in shown if units[k] == "kWh"] or shown
+    best = max(energies, key=lambda k: middle[k])
+    falls = [k for k in shown if k == best or k not in energies and middle[k] > 0] if middle[best] > 0 else []
+    text = listed([f"{amount(middle[k], units[k])} of {names[k]}{span(study, low[k], high[k])}" for k in falls]) or \
+        "nothing"
+    rises = [f"{names[k]} {'' if n else 'rises '}by {amount(-middle[k], units[k])}{span(study, -high[k], -low[k])}"
              for n, k in enumerate(rising(middle, units, shown + hours)[:MOST])]
     return f"{text}, but {listed(rises)}" if rises else text
+
+
+def amount(value, unit):
+    """"20005 kWh"; money has no unit, for no job says its currency."""
+    return number(value, 3) + ("" if unit == CURRENCY else f" {unit}")
 
 
 def span(study, least, most):

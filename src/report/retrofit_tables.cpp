@@ -1,7 +1,7 @@
 /// What each scenario would save: medians with 5 and 95 % over the points, before, after
 /// and the difference, and hours too cold or too warm.
 /// Made from stored quantiles alone, which are not computed again. Outputs that are
-/// nothing before and after are left out; costs are not known.
+/// nothing before and after are left out.
 #include "physics/calendar.hpp"
 #include "report/sections.hpp"
 #include "report/simulator_tables.hpp"
@@ -79,7 +79,7 @@ std::string scenario_table(const Group& study, std::size_t scenario) {
                    fmt::format("{} to {}", in_short(before), in_short(after)),
                    middle_and_ends(all_before), middle_and_ends(all_after),
                    shown("saving_quantile"),
-                   units[k] == "kWh" ? shown("saving_share_quantile", 100) : ""});
+                   units[k] != "h" ? shown("saving_share_quantile", 100) : ""});
     }
     return table.text(30);
 }
@@ -98,7 +98,7 @@ std::string retrofit_section(const Group& study) {
                 scenario_table(study, s);
     const auto& ends = study.values("simulated_period");
     if (ends.size() == 2)
-        text += fmt::format("  energies and hours are of {} to {}, {:.0f} days\n",
+        text += fmt::format("  energies, hours and costs are of {} to {}, {:.0f} days\n",
                             date_of(ends[0]), date_of(ends[1] - 1),
                             (ends[1] - ends[0]) / physics::day_s);
     if (const Texts given = study.texts("simulator_given"); !given.empty())

@@ -238,6 +238,15 @@ Savings Retrofit::savings_of(const std::vector<study::ItemAnswer>& answers) cons
     savings.parameters = building_.parameters;
     if (answers.size() > 1) savings.points = found_;
     savings.period = drive_->period();
+    add_accounts(
+        [&](const std::string& output) -> const study::Meter* {
+            const auto meter =
+                std::ranges::find_if(building_.meters, [&](const study::Meter& one) {
+                    return physics::name_of(one.quantity) == output;
+                });
+            return meter == building_.meters.end() ? nullptr : &*meter;
+        },
+        savings);
     return savings;
 }
 

@@ -1,6 +1,7 @@
 /// Differences point by point, then quantiles of them over the points.
 /// Follows from paper 3: before and after, with uncertainty.
-/// A point that failed before or after has no difference. Costs are left out.
+/// A point that failed before or after has no difference. What a change itself costs is
+/// left out.
 #include "retrofit/savings.hpp"
 
 #include "base/nan.hpp"
@@ -61,6 +62,32 @@ Matrix saving_of(const Matrix& before, const Matrix& after, bool is_share) {
     return saving;
 }
 
+struct Account {
+    study::Output output;
+    double study::Meter::* per_kwh;
+};
+
+/// One more output of each variant: the sum over those that have a meter which says it.
+void add_account(const Account& account, const std::vector<const study::Meter*>& meters,
+                 Savings& savings) {
+    const auto says = [&](const study::Meter* meter) {
+        return meter != nullptr && !std::isnan(meter->*account.per_kwh);
+    };
+    if (std::ranges::none_of(meters, says)) return;
+    const std::size_t n = savings.outputs.size(), n_variants = savings.rows.cols / n;
+    Matrix rows(savings.rows.rows, n_variants * (n + 1));
+    for (std::size_t r = 0; r < rows.rows; ++r)
+        for (std::size_t v = 0; v < n_variants; ++v) {
+            const auto from = savings.rows.row(r).subspan(v * n, n);
+            const auto to = rows.row(r).subspan(v * (n + 1), n + 1);
+            std::ranges::copy(from, to.begin());
+            for (std::size_t k = 0; k < meters.size(); ++k)
+                if (says(meters[k])) to[n] += meters[k]->*account.per_kwh * from[k];
+        }
+    savings.rows = std::move(rows);
+    savings.outputs.push_back(account.output);
+}
+
 void add_names(const Setting& setting, Savings& savings,
                study::DatasetBuilder& datasets) {
     std::vector<std::string> names, units;
@@ -80,6 +107,18 @@ void add_names(const Setting& setting, Savings& savings,
 }
 
 }  // namespace
+
+void add_accounts(
+    const std::function<const study::Meter*(const std::string& output)>& of_output,
+    Savings& savings) {
+    std::vector<const study::Meter*> meters;
+    meters.reserve(savings.outputs.size());
+    for (const study::Output& output : savings.outputs)
+        meters.push_back(of_output(output.name));
+    for (const Account& account : {Account{{"cost", "currency"}, &study::Meter::tariff},
+                                   Account{{"CO2", "kg"}, &study::Meter::co2}})
+        add_account(account, meters, savings);
+}
 
 std::string lost_scenarios(const Savings& savings) {
     std::vector<std::string> lost;

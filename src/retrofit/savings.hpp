@@ -3,9 +3,11 @@
 #pragma once
 
 #include "retrofit/setting.hpp"
+#include "study/case.hpp"
 #include "study/datasets.hpp"
 #include "study/simulator.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,12 @@ struct Savings {
     Matrix points;  ///< [points x parameters]
     physics::TimeAxis period;
 };
+
+/// Adds what the outputs cost and emit, "cost" and "CO2", where a meter says it of a kWh.
+/// \param of_output  the meter of an output; nullptr = none
+void add_accounts(
+    const std::function<const study::Meter*(const std::string& output)>& of_output,
+    Savings& savings);
 
 /// The scenarios that could be simulated at no point, in a sentence; "" = none.
 std::string lost_scenarios(const Savings& savings);

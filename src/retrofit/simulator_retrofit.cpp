@@ -236,6 +236,13 @@ Savings SimulatorRetrofit::savings_of(
     savings.parameters = simulator_->parameters();
     if (answers.size() > n_variants()) savings.points = found_.points.rows;
     savings.period = study::axis_of(building_, period_);
+    add_accounts(
+        [&](const std::string& output) -> const study::Meter* {
+            const auto meter =
+                std::ranges::find(building_.meters, output, &study::Meter::name);
+            return meter == building_.meters.end() ? nullptr : &*meter;
+        },
+        savings);
     return savings;
 }
 

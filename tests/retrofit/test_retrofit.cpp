@@ -1,3 +1,4 @@
+#include "base/nan.hpp"
 #include "job/small_office.hpp"
 #include "retrofit/retrofit.hpp"
 #include "study/find.hpp"
@@ -289,6 +290,34 @@ TEST(Retrofit, APointBeyondTheMethodFailsWithItsReason) {
     EXPECT_FALSE(std::isnan(test::find(results, "before").values[n_outputs]))
         << "other scenarios keep the point";
     EXPECT_TRUE(std::isnan(test::find(results, "after").values[n_outputs]));
+}
+
+TEST(Retrofit, CostsAndEmitsWhatItsMetersSay) {
+    Case house = steady_case();
+    Meter gas{"gas", Quantity::gas, physics::Interval::hourly, {}, {}};
+    gas.tariff = 0.1;
+    gas.co2 = 0.2;
+    Meter power{"power", Quantity::electricity, physics::Interval::hourly, {}, {}};
+    power.tariff = 0.3;
+    house.meters = {gas, power};
+    const retrofit::Scenario halved{
+        "halved",
+        {change(house, "construction.wall.u_value", retrofit::ChangeBy::factor, 0.5)},
+        {}};
+    const auto results = results_of(house, options_of({halved}), draws({0.5}, {0.6}));
+    EXPECT_EQ(test::find(results, "output").texts[n_outputs], "cost");
+    EXPECT_EQ(test::find(results, "output").texts[n_outputs + 1], "CO2");
+    const auto after = test::find(results, "after").values;
+    ASSERT_EQ(after.size(), n_outputs + 2);
+    EXPECT_GT(after[Column::gas], 0);
+    EXPECT_DOUBLE_EQ(after[n_outputs],
+                     0.1 * after[Column::gas] + 0.3 * after[electricity]);
+    EXPECT_DOUBLE_EQ(after[n_outputs + 1], 0.2 * after[Column::gas]);
+    house.meters[0].tariff = house.meters[0].co2 = house.meters[1].tariff = nan;
+    EXPECT_EQ(
+        test::find(results_of(house, options_of({halved}), draws({0.5}, {0.6})), "after")
+            .values.size(),
+        n_outputs);
 }
 
 TEST(Retrofit, AScenarioThatFailsEverywhereLosesNoOther) {
