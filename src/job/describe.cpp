@@ -142,7 +142,7 @@ namespace {
 
 /// "construction.NAME.layer.NAME": where numbers of a part stand in a building.
 std::string path_of_part(physics::Part part) {
-    const std::string section = schema::section_of(part);
+    std::string section = schema::section_of(part);
     const std::size_t dot = section.find('.');
     if (part == physics::Part::plant) return section;
     if (part == physics::Part::meter) return section + ".QUANTITY";
