@@ -8,6 +8,7 @@
 #include "external/process.hpp"
 #include "holidays/holidays.hpp"
 #include "input/suggest.hpp"
+#include "kernel/batch.hpp"
 #include "manual/completion.hpp"
 #include "manual/man_pages.hpp"
 #include "plan/plan.hpp"
@@ -338,7 +339,17 @@ void write_stock(const run::OutputNames& names, const run::JobOptions& options) 
         print_warning(options.pages->write_stock(names.result, names.history));
 }
 
+/// The environment names a kernel that this machine has.
+void check_kernel() {
+    try {
+        kernel::choose_instruction_set();
+    } catch (const std::invalid_argument& error) {
+        throw UserError(ExitCode::usage, error.what());
+    }
+}
+
 ExitCode run_command(run::Comm& comm, const CommandLine& line) {
+    check_kernel();
     const run::SignalWatch watch;  // already while the job is read
     run::JobOptions options;
     options.is_numbered = line.job.empty();

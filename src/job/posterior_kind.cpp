@@ -77,11 +77,6 @@ void read_residuals(const schema::Section& section, PosteriorOptions& options) {
     options.residuals.proportional = section.flag("proportional");
     options.residuals.discrepancy = section.flag("discrepancy");
     options.level_change = section.number("level_change");
-    if (options.residuals.discrepancy && section.has("lasting_weeks"))
-        section.fail(
-            "lasting_weeks",
-            "is of predictions without discrepancy, whose slow errors have a time "
-            "of their own; leave one of them out");
     options.lasting_weeks = section.number("lasting_weeks");
     options.reading_weight = section.number("reading_weight");
 }

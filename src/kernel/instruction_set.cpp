@@ -21,14 +21,13 @@ InstructionSet wanted(const std::string& name) {
     for (InstructionSet set : widest_first)
         if (name == name_of(set)) {
             if (is_supported(set)) return set;
-            throw UserError(
-                ExitCode::usage,
+            throw std::invalid_argument(
                 fmt::format("BEMCAL_KERNEL = {}: this processor cannot run it; leave "
                             "BEMCAL_KERNEL unset",
                             name));
         }
-    throw UserError(ExitCode::usage,
-                    fmt::format("BEMCAL_KERNEL = {}: expected scalar, v3 or v4", name));
+    throw std::invalid_argument(
+        fmt::format("BEMCAL_KERNEL = {}: expected scalar, v3 or v4", name));
 }
 
 }  // namespace
