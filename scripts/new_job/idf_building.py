@@ -180,8 +180,8 @@ def left_out_of(model):
     controllers = model.all(AIR)
     cooling = [each for each in controllers if each.word(ECONOMIZER, NO_ECONOMIZER) != NO_ECONOMIZER]
     if cooling:
-        yield f"economizers of {len(cooling)} of {len(controllers)} {AIR}; [[effect]] name = \"economiser\" may stand " \
-              "for them, or a loop finds air that cools"
+        yield f"economizers of {len(cooling)} of {len(controllers)} {AIR}; [[effect]] name = \"economiser\" may " \
+              "stand for them, or a loop finds air that cools"
     templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)
                  and kind not in idf.FIELDS]
     if templates:

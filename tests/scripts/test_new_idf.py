@@ -246,6 +246,13 @@ class Box(unittest.TestCase):
                 self.assertAlmostEqual(found.whole.ventilation.max(), share * usual_flow)
                 self.assertEqual(share < 1, any("cycle with their coils" in line for line in found.left_out))
 
+    def test_economizers_are_told(self):
+        controller = "Controller:OutdoorAir, {}, Out, Back, Mixed, In, 0, 1, {};\n"
+        found = self.read(BOX + controller.format("A", "DifferentialDryBulb") + controller.format("B", "NoEconomizer"))
+        (told,) = (line for line in found.left_out if "economizer" in line)
+        self.assertIn("economizers of 1 of 2 Controller:OutdoorAir", told)
+        self.assertNotIn("economizer", "".join(self.read(BOX + controller.format("A", "")).left_out))
+
     def test_what_fans_draw(self):
         """Power = flow x pressure / efficiency, at the hours of the fan; 4.5 l/(s m2) where the file has no flow. What
         the motor loses outside of the air does not warm it; one that cycles with its coil runs a fifth of the time."""
