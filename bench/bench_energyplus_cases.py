@@ -259,6 +259,14 @@ def on_soil(objects, weather):
     return [*rest, ["Site:GroundTemperature:BuildingSurface", *months], list(SOIL)]
 
 
+def begun_on(since, years, without):
+    """The first of both years has the effect from a day on ("06-01"), and was without it before."""
+    year, first = years[0]
+    begin = (pandas.Timestamp(f"{year}-{since}") - pandas.Timestamp(f"{year}-01-01")).days * 24
+    return [(year, {column: np.concatenate([without[0][1][column][:begin], hours[begin:]])
+                    for column, hours in first.items()}), *years[1:]]
+
+
 def with_effect(energyplus, case, effect, folder):
     """Both years, with the effect from its day on."""
     source = reports.file_like(energyplus, MODELS[NULL[case[:2]]])
@@ -279,12 +287,7 @@ def with_effect(energyplus, case, effect, folder):
     else:
         column, factor = effect.meter
         years = [(year, {**hours, column: factor * hours[column]}) for year, hours in without]
-    if effect.since:
-        year, first = years[0]
-        begin = (pandas.Timestamp(f"{year}-{effect.since}") - pandas.Timestamp(f"{year}-01-01")).days * 24
-        years[0] = (year, {column: np.concatenate([without[0][1][column][:begin], hours[begin:]])
-                           for column, hours in first.items()})
-    return years
+    return begun_on(effect.since, years, without) if effect.since else years
 
 
 def write_case(case, years, folder):
