@@ -51,15 +51,13 @@ def file_of(job):
 
 
 def main():
-    if {"-h", "--help"} & set(sys.argv[1:]):
-        print(__doc__)
-        return
+    asked = real.jobs_asked(__doc__)
     if not real.DATA.exists():
         print(f"skipped: no readings in {real.DATA}")
         return
     judged = {}
     with tempfile.TemporaryDirectory() as made, tempfile.TemporaryDirectory() as copies:
-        for given in real.jobs_in(pathlib.Path(made), sys.argv[1:]):
+        for given in real.jobs_in(pathlib.Path(made), asked):
             job = copied(file_of(given), pathlib.Path(copies))
             result = job.with_suffix(".h5")
             real.run(job, result)

@@ -318,8 +318,8 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / "energyplus_cases")
     options = parser.parse_args()
     energyplus = idf.program()
-    if not loads.CASES.exists() or energyplus is None:
-        print(f"skipped: {reports.HOW}; no {loads.CASES}" if not loads.CASES.exists() else f"skipped: {reports.HOW}")
+    if lacks := loads.reason_to_skip(energyplus):
+        print(f"skipped: {lacks}")
         return loads.SKIPPED
     wrong = next((name for name in options.only or () if name not in CASES), None)
     if wrong:

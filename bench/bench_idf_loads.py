@@ -56,13 +56,32 @@ def run(*words):
         sys.exit(f"{words[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr}")
 
 
-def years(energyplus, case, model, folder, energies=ENERGIES):
-    """[(year, {column: hours})] of both, by EnergyPlus, in the case's weather."""
+def reason_to_skip(energyplus):
+    """What such a bench lacks; "" = nothing."""
+    return "; ".join(([] if energyplus else [reports.HOW]) + ([] if CASES.exists() else [f"no {CASES}"]))
+
+
+def metered_years(energyplus, case, model, folder, energies):
+    """[(year, EnergyPlus's run of it)] of both, in the case's weather."""
+    meters = {meter for parts in energies.values() for meter in parts}
     for part in PARTS:
         epw = CASES / case / f"weather_{part}.epw"
         year = int(epw.read_text().splitlines()[FIRST_HOUR].split(",")[0])
-        meters = {meter for parts in energies.values() for meter in parts}
-        yield year, channels(case, reports.MeteredYear(energyplus, model, year, epw, folder / part, meters), energies)
+        yield year, reports.MeteredYear(energyplus, model, year, epw, folder / part, meters)
+
+
+def measured_in(run, energies):
+    """{column: hours}: the room, and energies [kWh]."""
+    return {ROOM: run.room_temperature(), **{column: sum(run.meter(part) for part in parts) / J_OF_KWH
+                                             for column, parts in energies.items()}}
+
+
+def years(energyplus, case, model, folder, energies=ENERGIES):
+    """[(year, {column: hours})] of both, of what ../shared/energyplus has of the case."""
+    header = (CASES / case / "measured.csv").read_text().splitlines()[0].split(",")
+    for year, run in metered_years(energyplus, case, model, folder, energies):
+        measured = measured_in(run, energies)
+        yield year, {column: measured[column] for column in header[1:]}
 
 
 def noisy_table(year, hours, dice):
@@ -95,13 +114,18 @@ def readings_of_case(case, folder):
     return path, list(parts[0])
 
 
-def channels(case, year, energies):
-    """{column: hours} of what ../shared/energyplus has of the case."""
-    measured = {ROOM: year.room_temperature()}
-    for column, parts in energies.items():
-        measured[column] = sum(year.meter(part) for part in parts) / J_OF_KWH
-    header = (CASES / case / "measured.csv").read_text().splitlines()[0].split(",")
-    return {column: measured[column] for column in header[1:]}
+def loop_of_file(job, model, table, columns, case):
+    """The loop on the job that `new --idf` writes, without summer time and holidays, in the case's weather."""
+    words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in columns]
+    words = [word for meter in words for word in ("--meter", meter)]
+    words += [word for part in PARTS for word in ("--weather", CASES / case / f"weather_{part}.epw")]
+    run(large_job.PROGRAM, "new", job, "--force", "--idf", model, "--place", PLACE, *words)
+    text = re.sub(r"(?m)^summer_time.*\n", "", job.read_text())
+    job.write_text(re.sub(r"(?m)^\[holidays\]\n(.+\n)*", "", text))
+    result = job.with_suffix(".h5")
+    run(large_job.PROGRAM, "run", job, "-o", result, "--force", "--no-report")
+    with h5py.File(result) as file:
+        return stored.Loop(file, f"{job.stem}/loop")
 
 
 def from_file(case, folder, of):
@@ -114,16 +138,7 @@ def from_file(case, folder, of):
     job, indoors = folder / f"{case}_{of}.toml", folder / f"{case}_{of}.idf"
     indoors.write_text(reports.with_objects(model, [], OUTDOORS))
     table, columns = readings(energyplus, case, model, folder) if of == "file" else readings_of_case(case, folder)
-    words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in columns]
-    words = [word for meter in words for word in ("--meter", meter)]
-    words += [word for part in PARTS for word in ("--weather", CASES / case / f"weather_{part}.epw")]
-    run(large_job.PROGRAM, "new", job, "--force", "--idf", indoors, "--place", PLACE, *words)
-    text = re.sub(r"(?m)^summer_time.*\n", "", job.read_text())
-    job.write_text(re.sub(r"(?m)^\[holidays\]\n(.+\n)*", "", text))
-    result = job.with_suffix(".h5")
-    run(large_job.PROGRAM, "run", job, "-o", result, "--force", "--no-report")
-    with h5py.File(result) as file:
-        loop = stored.Loop(file, f"{job.stem}/loop")
+    loop = loop_of_file(job, indoors, table, columns, case)
     measured = pandas.read_csv(table, index_col=0).iloc[-HOURS:].mean()
     mean = {CHANNELS[column][1]: measured[column] for column in columns}
     quantity = {name: QUANTITY_OF_NAME.get(name, name) for name in loop.channels}

@@ -18,6 +18,7 @@ as a mean over series and periods. Needs the readings in ../shared.
 jobs/cambridge_loops is a stock, which keeps errors only: here its template is filled in, and its
 buildings, and those of ../shared/meters, are run as those of another job.
 """
+import argparse
 import csv
 import gzip
 import json
@@ -221,17 +222,21 @@ def jobs_in(folder, names):
     return [known[name] for name in names or known]
 
 
+def jobs_asked(says):
+    parser = argparse.ArgumentParser(description=says, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("jobs", nargs="*", metavar="JOB", help="default: all")
+    return parser.parse_args().jobs
+
+
 def main():
-    if {"-h", "--help"} & set(sys.argv[1:]):
-        print(__doc__)
-        return
+    asked = jobs_asked(__doc__)
     if not DATA.exists():
         print(f"skipped: no readings in {DATA}")
         return
     hourly, monthly, worse, within = [], [], [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for job in jobs_in(folder, sys.argv[1:]):
+        for job in jobs_in(folder, asked):
             result = folder / f"{job.stem}.h5"
             run(job, result)
             print_effects(result)

@@ -14,48 +14,39 @@ minutes. Needs EnergyPlus and pyenergyplus-lbnl (tests/energyplus/reports.py) an
 """
 import argparse
 import pathlib
-import re
 import sys
 
 import bench_energyplus_cases as made
-import bench_idf_loads as loads    # also finds idf, reports and report
-import h5py
+import bench_idf_loads as loads    # also finds idf and reports
 import large_job
 import numpy as np
 import pandas
 
 import idf        # noqa: E402
 import reports    # noqa: E402
-from report import result as stored  # noqa: E402
 
 MODELS = {"rt": "Stand-aloneRetail", "sm": "StripMall", "qs": "QuickServiceRestaurant", "fr": "FullServiceRestaurant",
           "wh": "Warehouse", "sh": "SmallHotel", "ps": "PrimarySchool"}
-WEATHER = loads.CASES / "so_null"
-METERS = {"gas_kWh": "NaturalGas:Facility", "elec_kWh": "Electricity:Facility"}
+CASE_OF_WEATHER = "so_null"
+METERS = {"gas_kWh": ("NaturalGas:Facility",), "elec_kWh": ("Electricity:Facility",)}
 OUTDOORS = "Exterior:Lights"
 COLDER = made.schedule("HTGSETP_SCH", made.raised(0, 24, -1.5))
 CASES = {**{f"{building}_null": made.Case() for building in MODELS},
          "rt_lights": made.Case(made.scaled("Lights", [5, 6, 7], 0.65), "04-10", names=made.LIGHTS),
          "rt_colder": made.Case(COLDER, "11-01", names=("heating set-point changed",)),
          "sm_plug": made.Case(made.scaled("ElectricEquipment", [5, 6, 7], 1.5), made.JUNE,
-                               names=("equipment added or removed", "tenants move in or out")),
+                              names=("equipment added or removed", "tenants move in or out")),
          "sm_boiler": made.Case(made.scaled("Coil:Heating:Fuel", [4], 0.8), "02-01",
-                                 names=("new or serviced boiler",)),
+                                names=("new or serviced boiler",)),
          "ps_lights": made.Case(made.scaled("Lights", [5, 6, 7], 0.65), "04-10", names=made.LIGHTS),
          "sh_leaks": made.Case(made.scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
-                                names=("leaks sealed or opened",))}
+                               names=("leaks sealed or opened",))}
 
 
 def simulated(energyplus, model, folder):
     """[(year, {column: hours})] of both years."""
-    years = []
-    for part in loads.PARTS:
-        epw = WEATHER / f"weather_{part}.epw"
-        year = int(epw.read_text().splitlines()[loads.FIRST_HOUR].split(",")[0])
-        run = reports.MeteredYear(energyplus, model, year, epw, folder / part, set(METERS.values()))
-        years.append((year, {loads.ROOM: run.room_temperature(),
-                             **{column: run.meter(meter) / loads.J_OF_KWH for column, meter in METERS.items()}}))
-    return years
+    return [(year, loads.measured_in(run, METERS))
+            for year, run in loads.metered_years(energyplus, CASE_OF_WEATHER, model, folder, METERS)]
 
 
 def write_case(energyplus, name, effect, folder):
@@ -75,21 +66,6 @@ def write_case(energyplus, name, effect, folder):
     loads.write_table(folder / "readings.csv", pandas.concat([loads.noisy_table(*year, dice) for year in years]))
 
 
-def loop_of(folder):
-    """The loop on the job that `new --idf` writes."""
-    job, table = folder / "job.toml", folder / "readings.csv"
-    words = [word for column in (loads.ROOM, *METERS) for word in
-             ("--meter", f"{table}:{column}:{loads.CHANNELS[column][1]}:{loads.CHANNELS[column][2]}")]
-    words += [word for part in loads.PARTS for word in ("--weather", WEATHER / f"weather_{part}.epw")]
-    loads.run(large_job.PROGRAM, "new", job, "--force", "--idf", folder / "model.idf", "--place", loads.PLACE, *words)
-    text = re.sub(r"(?m)^summer_time.*\n", "", job.read_text())
-    job.write_text(re.sub(r"(?m)^\[holidays\]\n(.+\n)*", "", text))
-    result = job.with_suffix(".h5")
-    loads.run(large_job.PROGRAM, "run", job, "-o", result, "--force", "--no-report")
-    with h5py.File(result) as file:
-        return stored.Loop(file, f"{job.stem}/loop")
-
-
 def errors_in_words(loop):
     return "; ".join(f"{row.channel} {' '.join(f'{error:.3g}' for error in row.error)}"
                      for row in loop.judged_errors() if row.resolution == "hourly")
@@ -101,8 +77,8 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / "unseen_buildings")
     options = parser.parse_args()
     energyplus = idf.program()
-    if not loads.CASES.exists() or energyplus is None:
-        print(f"skipped: {reports.HOW}; no {loads.CASES}" if not loads.CASES.exists() else f"skipped: {reports.HOW}")
+    if lacks := loads.reason_to_skip(energyplus):
+        print(f"skipped: {lacks}")
         return loads.SKIPPED
     of_nulls, right = {}, {}
     for name in options.only or CASES:
@@ -110,7 +86,8 @@ def main():
         folder.mkdir(parents=True, exist_ok=True)
         if not (folder / "readings.csv").exists():
             write_case(energyplus, name, CASES[name], folder)
-        loop = loop_of(folder)
+        loop = loads.loop_of_file(folder / "job.toml", folder / "model.idf", folder / "readings.csv",
+                                  (loads.ROOM, *METERS), CASE_OF_WEATHER)
         found = [effect.name for effect in loop.effects]
         if CASES[name].names:
             right[name] = any(one in CASES[name].names for one in found)

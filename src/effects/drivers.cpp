@@ -397,6 +397,10 @@ std::span<const DriverRow> driver_rows() {
     return driver_table;
 }
 
+bool follows_sun_on_facade(Driver driver) {
+    return row_of(driver).of_steps == sun_of;
+}
+
 const DriverRow& row_of(Driver driver) {
     return driver_table[static_cast<std::size_t>(driver)];
 }

@@ -40,6 +40,8 @@ struct DriverRow {
 /// In the order of Driver.
 std::span<const DriverRow> driver_rows();
 const DriverRow& row_of(Driver driver);
+/// Whether it is the sun on a facade's windows.
+bool follows_sun_on_facade(Driver driver);
 /// The unit of a driver's values: of a temperature not that of its differences.
 const char* unit_of_values(Driver driver);
 

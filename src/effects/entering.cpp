@@ -47,10 +47,6 @@ Series levelled_for(const HookRow& row, const Effect& effect, const Series& prof
     return is_rounded ? levelled(profile, decisions::most_levels) : profile;
 }
 
-bool follows_sun_on_facade(const Effect& effect) {
-    return effect.driver == Driver::bright || effect.driver == Driver::sun_on_facade;
-}
-
 /// Adds what its schedules would change; inputs of loads that an effect added have none.
 void move_inputs(Placer& placer, const HookRow& row, const Effect& effect,
                  const std::vector<Target>& targets) {
@@ -129,7 +125,7 @@ void change_inputs(Placer& placer, const HookRow& row, const Effect& effect) {
 }
 
 void change_windows(Placer& placer, const HookRow& row, const Effect& effect) {
-    if (effect.facade || !follows_sun_on_facade(effect))
+    if (effect.facade || !follows_sun_on_facade(effect.driver))
         return change_inputs(placer, row, effect);
     for (const Target& target : sites_of(row, effect, placer.building())) {
         const physics::Zone& zone =

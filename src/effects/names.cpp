@@ -82,8 +82,7 @@ const char* unit_of(Driver driver) {
 }
 
 bool has_facades(const Effect& effect) {
-    return effect.hook == Hook::aperture || effect.driver == Driver::bright ||
-           effect.driver == Driver::sun_on_facade;
+    return effect.hook == Hook::aperture || follows_sun_on_facade(effect.driver);
 }
 
 bool has_threshold(const Effect& effect) {

@@ -10,6 +10,7 @@
 #include "schema/lay_over.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -56,8 +57,7 @@ Words periods_at(const description::Sources& sources) {
 /// What stands twice in a list would have two weights, or be done again.
 void check_once(const schema::Section& section, const char* key, const Words& words) {
     for (std::size_t k = 0; k < words.size(); ++k)
-        if (std::find(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(k),
-                      words[k]) != words.begin() + static_cast<std::ptrdiff_t>(k))
+        if (std::ranges::count(std::span(words).first(k), words[k]) > 0)
             section.fail(key,
                          fmt::format("names \"{}\" twice; expected each once", words[k]));
 }

@@ -19,9 +19,10 @@ class LastReadings {
 
     /// Relative change from the model before, of one with that effect.
     double change_to(const Standing& after, const effects::Effect& effect);
+    /// From there on readings are foretold.
+    physics::Seconds begin_for(const effects::Effect& effect) const;
 
   private:
-    physics::Seconds begin_for(const effects::Effect& effect) const;
     double error_of(const Standing& standing, physics::Seconds from) const;
 
     const LoopData& data_;

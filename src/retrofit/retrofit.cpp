@@ -239,12 +239,9 @@ Savings Retrofit::savings_of(const std::vector<study::ItemAnswer>& answers) cons
     if (answers.size() > 1) savings.points = found_;
     savings.period = drive_->period();
     add_accounts(
-        [&](const std::string& output) -> const study::Meter* {
-            const auto meter =
-                std::ranges::find_if(building_.meters, [&](const study::Meter& one) {
-                    return physics::name_of(one.quantity) == output;
-                });
-            return meter == building_.meters.end() ? nullptr : &*meter;
+        building_.meters,
+        [](const study::Meter& meter) {
+            return std::string(physics::name_of(meter.quantity));
         },
         savings);
     return savings;

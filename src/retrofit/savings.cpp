@@ -108,16 +108,17 @@ void add_names(const Setting& setting, Savings& savings,
 
 }  // namespace
 
-void add_accounts(
-    const std::function<const study::Meter*(const std::string& output)>& of_output,
-    Savings& savings) {
-    std::vector<const study::Meter*> meters;
-    meters.reserve(savings.outputs.size());
-    for (const study::Output& output : savings.outputs)
-        meters.push_back(of_output(output.name));
+void add_accounts(const std::vector<study::Meter>& meters,
+                  std::string (*output_of)(const study::Meter&), Savings& savings) {
+    std::vector<const study::Meter*> of_outputs;
+    of_outputs.reserve(savings.outputs.size());
+    for (const study::Output& output : savings.outputs) {
+        const auto meter = std::ranges::find(meters, output.name, output_of);
+        of_outputs.push_back(meter == meters.end() ? nullptr : &*meter);
+    }
     for (const Account& account : {Account{{"cost", "currency"}, &study::Meter::tariff},
                                    Account{{"CO2", "kg"}, &study::Meter::co2}})
-        add_account(account, meters, savings);
+        add_account(account, of_outputs, savings);
 }
 
 std::string lost_scenarios(const Savings& savings) {

@@ -7,7 +7,6 @@
 #include "study/datasets.hpp"
 #include "study/simulator.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,10 +27,9 @@ struct Savings {
 };
 
 /// Adds what the outputs cost and emit, "cost" and "CO2", where a meter says it of a kWh.
-/// \param of_output  the meter of an output; nullptr = none
-void add_accounts(
-    const std::function<const study::Meter*(const std::string& output)>& of_output,
-    Savings& savings);
+/// \param output_of  what a meter reads, by its name among the outputs
+void add_accounts(const std::vector<study::Meter>& meters,
+                  std::string (*output_of)(const study::Meter&), Savings& savings);
 
 /// The scenarios that could be simulated at no point, in a sentence; "" = none.
 std::string lost_scenarios(const Savings& savings);

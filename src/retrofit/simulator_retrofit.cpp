@@ -237,12 +237,7 @@ Savings SimulatorRetrofit::savings_of(
     if (answers.size() > n_variants()) savings.points = found_.points.rows;
     savings.period = study::axis_of(building_, period_);
     add_accounts(
-        [&](const std::string& output) -> const study::Meter* {
-            const auto meter =
-                std::ranges::find(building_.meters, output, &study::Meter::name);
-            return meter == building_.meters.end() ? nullptr : &*meter;
-        },
-        savings);
+        building_.meters, [](const study::Meter& meter) { return meter.name; }, savings);
     return savings;
 }
 

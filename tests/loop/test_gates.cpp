@@ -1,3 +1,4 @@
+#include "effects/steps.hpp"
 #include "loop/gates.hpp"
 #include "loop/windy_model.hpp"
 
@@ -104,6 +105,26 @@ TEST(LoopGates, AStepIsLearnedFromWhatFollowsIt) {
     const Standing after = calibrate(data, place, with, more);
     LastReadings last_readings(data, before);
     EXPECT_LT(last_readings.change_to(after, colder), -0.1);
+}
+
+// Half of what follows a step in the middle is the last quarter, which stays the least.
+TEST(LoopGates, HalfOfWhatFollowsAStepIsForetold) {
+    const Judged judged;
+    const LoopData& data = judged.after.data;
+    const LastReadings last_readings(data, judged.after.standing);
+    const auto last = *std::ranges::max_element(data.begins);
+    const auto span = last - data.training().from;
+    const auto begin_behind = [&](double share) {
+        effects::Effect step;
+        step.driver = effects::Driver::elapsed;
+        step.shape = {effects::Form::over, share * static_cast<double>(span.count()) /
+                                               effects::elapsed_year_s};
+        return last_readings.begin_for(step);
+    };
+    EXPECT_EQ(begin_behind(0.48), begin_behind(0.1));
+    EXPECT_GT(begin_behind(0.52), begin_behind(0.1));
+    EXPECT_NEAR(static_cast<double>((last - begin_behind(0.8)).count()),
+                0.1 * static_cast<double>(span.count()), 2);
 }
 
 TEST(LoopGates, ACoefficientIsPlausibleByHalfBeyondEachEnd) {
