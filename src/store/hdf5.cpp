@@ -116,14 +116,6 @@ Handle open_object(hid_t file, const std::string& path) {
     return {H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose, "open", path};
 }
 
-std::string object_path(hid_t object) {
-    std::string path(
-        static_cast<std::size_t>(std::max<ssize_t>(0, H5Iget_name(object, nullptr, 0))),
-        '\0');
-    H5Iget_name(object, path.data(), path.size() + 1);
-    return path;
-}
-
 /// A short text of fixed size, as HDF5's own conventions have them; "" where there is
 /// none.
 std::string mark_of(hid_t object, const char* name) {
@@ -169,12 +161,13 @@ class ScaleLists {
 
     static bool are_in(hid_t dataset) { return H5Aexists(dataset, attribute_name) > 0; }
     /// Of the first scale on an axis; "" where there is none.
-    std::string name(hid_t dataset, std::size_t axis, const std::string& path) const {
+    std::string name(const ScaleNames& names, std::size_t axis,
+                     const std::string& path) const {
         if (lists_[axis].len == 0 || lists_[axis].p == nullptr) return {};
-        const Handle scale(
-            H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, lists_[axis].p), H5Oclose,
-            "open a dimension of", path);
-        return leaf_of(object_path(scale));
+        const auto found = names.find(*static_cast<const hobj_ref_t*>(lists_[axis].p));
+        if (found == names.end())
+            throw Error(fmt::format("dataset {} has damaged dimensions", path));
+        return found->second;
     }
 
   private:
@@ -185,13 +178,13 @@ class ScaleLists {
 
 /// Names of the first scale on each axis; a scale is its own.
 std::vector<std::string> dimension_names(hid_t dataset, const std::string& path,
-                                         std::size_t rank) {
+                                         std::size_t rank, const ScaleNames& scales) {
     if (is_scale(dataset)) return std::vector<std::string>(rank, leaf_of(path));
     std::vector<std::string> names(rank);
     if (rank == 0 || !ScaleLists::are_in(dataset)) return names;
     const ScaleLists lists(dataset, path, rank);
     for (std::size_t axis = 0; axis < rank; ++axis)
-        names[axis] = lists.name(dataset, axis, path);
+        names[axis] = lists.name(scales, axis, path);
     return names;
 }
 
@@ -317,7 +310,10 @@ File File::open(const std::filesystem::path& path) {
 }
 
 File::File(File&& other) noexcept
-    : id_(std::exchange(other.id_, -1)), size_(other.size_), taken_(other.taken_) {}
+    : id_(std::exchange(other.id_, -1)),
+      size_(other.size_),
+      taken_(other.taken_),
+      scales_(std::move(other.scales_)) {}
 
 File::~File() {
     if (id_ >= 0) H5Fclose(id_);
@@ -432,10 +428,13 @@ std::map<std::string, std::string> File::attributes(const std::string& object) c
     return found;
 }
 
-std::vector<std::string> File::dataset_paths() const {
+namespace {
+
+/// Also of dimensions without values.
+std::vector<std::string> all_datasets(hid_t file) {
     std::vector<std::string> paths;
     checked(H5Ovisit2(
-                id_, H5_INDEX_NAME, H5_ITER_INC,
+                file, H5_INDEX_NAME, H5_ITER_INC,
                 [](hid_t, const char* name, const H5O_info_t* info, void* out) -> herr_t {
                     if (info->type == H5O_TYPE_DATASET)
                         static_cast<std::vector<std::string>*>(out)->emplace_back(name);
@@ -443,10 +442,28 @@ std::vector<std::string> File::dataset_paths() const {
                 },
                 &paths, H5O_INFO_BASIC),
             "list", "the datasets");
+    return paths;
+}
+
+}  // namespace
+
+std::vector<std::string> File::dataset_paths() const {
+    std::vector<std::string> paths = all_datasets(id_);
     std::erase_if(
         paths, [&](const std::string& path) { return is_bare(open_dataset(id_, path)); });
     std::sort(paths.begin(), paths.end());
     return paths;
+}
+
+const ScaleNames& File::scale_names() {
+    if (!scales_.empty()) return scales_;
+    for (const std::string& path : all_datasets(id_)) {
+        hobj_ref_t reference = 0;
+        checked(H5Rcreate(&reference, id_, path.c_str(), H5R_OBJECT, -1), "refer to",
+                path);
+        scales_[reference] = leaf_of(path);
+    }
+    return scales_;
 }
 
 void File::take(const std::string& path, const Shape& shape, double bytes, double most) {
@@ -468,7 +485,7 @@ Array File::read(const std::string& path) {
     Array array{shape_of(dataset, path), {}, {}, {}};
     take(path, array.shape, static_cast<double>(H5Tget_size(type)),
          packing_of(dataset, path));
-    array.dims = dimension_names(dataset, path, array.shape.size());
+    array.dims = dimension_names(dataset, path, array.shape.size(), scale_names());
     const std::size_t n = size_of(array.shape);
     if (has_texts) {
         array.texts = read_texts(dataset, path, n, size_);

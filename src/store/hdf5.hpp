@@ -30,6 +30,10 @@ struct Error : std::runtime_error {
 
 using Shape = std::vector<std::size_t>;
 
+/// Of datasets, by what refers to them. HDF5 looks through the whole file for the name of
+/// one reference.
+using ScaleNames = std::map<std::uint64_t, std::string>;
+
 struct Array {
     Shape shape;
     /// Names of the attached scales, "" where there is none.
@@ -74,9 +78,11 @@ class File {
   private:
     explicit File(std::int64_t id, double size = 0) : id_(id), size_(size) {}
     void take(const std::string& path, const Shape& shape, double bytes, double most);
+    const ScaleNames& scale_names();
 
     std::int64_t id_;
     double size_ = 0, taken_ = 0;  ///< of the file, and of what was read of it [bytes]
+    ScaleNames scales_;            ///< of all datasets, once they are asked for
 };
 
 }  // namespace bemcal::store::hdf5

@@ -1,9 +1,11 @@
 #include "base/error.hpp"
 #include "store/result_file.hpp"
+#include "store/result_reading.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <map>
 
@@ -68,6 +70,34 @@ TEST(ResultFile, IsReadBackAsItWasWritten) {
         EXPECT_EQ(again.texts, original.texts) << original.path;
     }
     EXPECT_EQ(result_hash(read), hash);
+}
+
+ResultFile of_buildings(int n) {
+    ResultFile all;
+    for (int k = 0; k < n; ++k)
+        for (study::Dataset each : example().datasets) {
+            each.path.replace(0, std::string("office").size(), std::to_string(k));
+            all.datasets.push_back(std::move(each));
+        }
+    all.attributes = example().attributes;
+    return all;
+}
+
+/// Processor time of reading it. [ticks]
+std::clock_t time_to_read(const std::filesystem::path& file) {
+    const std::clock_t begin = std::clock();
+    EXPECT_FALSE(read_here(file, "").datasets.empty());
+    return std::clock() - begin;
+}
+
+/// With the square of their number it was 100 times as much.
+TEST(ResultFile, TenTimesAsManyBuildingsTakeTenTimesAsLongToRead) {
+    const test::TemporaryFolder folder;
+    write_result(folder / "few.h5", of_buildings(40));
+    write_result(folder / "many.h5", of_buildings(400));
+    const double few = static_cast<double>(time_to_read(folder / "few.h5")),
+                 many = static_cast<double>(time_to_read(folder / "many.h5"));
+    EXPECT_LE(many, 30 * few);
 }
 
 TEST(ResultFile, OfOneGroupOnlyItsDatasetsAreRead) {
