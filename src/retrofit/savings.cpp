@@ -67,25 +67,48 @@ struct Account {
     double study::Meter::* per_kwh;
 };
 
+/// Of an output: the meter that reads it, if any, and whether somebody sells it.
+struct Sold {
+    const study::Meter* meter = nullptr;
+    bool is_carrier = false;
+};
+
+bool is_used(const Savings& savings, std::size_t output) {
+    const std::size_t n = savings.outputs.size();
+    for (std::size_t at = output; at < savings.rows.values.size(); at += n)
+        if (std::abs(savings.rows.values[at]) > 0) return true;
+    return false;
+}
+
 /// One more output of each variant: the sum over those that have a meter which says it.
-void add_account(const Account& account, const std::vector<const study::Meter*>& meters,
+/// Where others are sold, too, its name says of which it is.
+void add_account(const Account& account, const std::vector<Sold>& sold,
                  Savings& savings) {
-    const auto says = [&](const study::Meter* meter) {
-        return meter != nullptr && !std::isnan(meter->*account.per_kwh);
-    };
-    if (std::ranges::none_of(meters, says)) return;
     const std::size_t n = savings.outputs.size(), n_variants = savings.rows.cols / n;
+    std::vector<double> per_kwh(n, 0.0);
+    std::vector<std::string> of;
+    bool is_of_all = true;
+    for (std::size_t k = 0; k < sold.size(); ++k)
+        if (sold[k].meter != nullptr && !std::isnan(sold[k].meter->*account.per_kwh)) {
+            per_kwh[k] = sold[k].meter->*account.per_kwh;
+            of.push_back(savings.outputs[k].name);
+        } else if (sold[k].is_carrier && is_used(savings, k)) {
+            is_of_all = false;
+        }
+    if (of.empty()) return;
     Matrix rows(savings.rows.rows, n_variants * (n + 1));
     for (std::size_t r = 0; r < rows.rows; ++r)
         for (std::size_t v = 0; v < n_variants; ++v) {
             const auto from = savings.rows.row(r).subspan(v * n, n);
             const auto to = rows.row(r).subspan(v * (n + 1), n + 1);
             std::ranges::copy(from, to.begin());
-            for (std::size_t k = 0; k < meters.size(); ++k)
-                if (says(meters[k])) to[n] += meters[k]->*account.per_kwh * from[k];
+            for (std::size_t k = 0; k < n; ++k)
+                if (per_kwh[k] != 0) to[n] += per_kwh[k] * from[k];
         }
     savings.rows = std::move(rows);
     savings.outputs.push_back(account.output);
+    if (!is_of_all)
+        savings.outputs.back().name += fmt::format(" of {} alone", fmt::join(of, ", "));
 }
 
 void add_names(const Setting& setting, Savings& savings,
@@ -110,15 +133,20 @@ void add_names(const Setting& setting, Savings& savings,
 
 void add_accounts(const std::vector<study::Meter>& meters,
                   std::string (*output_of)(const study::Meter&), Savings& savings) {
-    std::vector<const study::Meter*> of_outputs;
-    of_outputs.reserve(savings.outputs.size());
+    std::vector<Sold> sold;
+    sold.reserve(savings.outputs.size());
     for (const study::Output& output : savings.outputs) {
         const auto meter = std::ranges::find(meters, output.name, output_of);
-        of_outputs.push_back(meter == meters.end() ? nullptr : &*meter);
+        Sold one{meter == meters.end() ? nullptr : &*meter};
+        one.is_carrier =
+            one.meter ? physics::carrier_of(one.meter->quantity) != physics::Carrier::none
+                      : std::ranges::find(physics::carrier_names, output.name) !=
+                            physics::carrier_names.end();
+        sold.push_back(one);
     }
     for (const Account& account : {Account{{"cost", "currency"}, &study::Meter::tariff},
                                    Account{{"CO2", "kg"}, &study::Meter::co2}})
-        add_account(account, of_outputs, savings);
+        add_account(account, sold, savings);
 }
 
 std::string lost_scenarios(const Savings& savings) {

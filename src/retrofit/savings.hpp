@@ -26,7 +26,8 @@ struct Savings {
     physics::TimeAxis period;
 };
 
-/// Adds what the outputs cost and emit, "cost" and "CO2", where a meter says it of a kWh.
+/// Adds what the outputs cost and emit, "cost" and "CO2", where a meter says it of a kWh;
+/// "cost of gas alone" where others that are used say nothing.
 /// \param output_of  what a meter reads, by its name among the outputs
 void add_accounts(const std::vector<study::Meter>& meters,
                   std::string (*output_of)(const study::Meter&), Savings& savings);

@@ -313,6 +313,12 @@ TEST(Retrofit, CostsAndEmitsWhatItsMetersSay) {
     EXPECT_DOUBLE_EQ(after[n_outputs],
                      0.1 * after[Column::gas] + 0.3 * after[electricity]);
     EXPECT_DOUBLE_EQ(after[n_outputs + 1], 0.2 * after[Column::gas]);
+    house.building.plant.heating_auxiliary = 0.02;
+    EXPECT_EQ(
+        test::find(results_of(house, options_of({halved}), draws({0.5}, {0.6})), "output")
+            .texts[n_outputs + 1],
+        "CO2 of gas alone")
+        << "electricity is used, too";
     house.meters[0].tariff = house.meters[0].co2 = house.meters[1].tariff = nan;
     EXPECT_EQ(
         test::find(results_of(house, options_of({halved}), draws({0.5}, {0.6})), "after")
