@@ -10,7 +10,8 @@ namespace bemcal::loop {
 
 /// Standard deviations of a model's unknowns, in their units [unknowns]: what noise
 /// leaves them, errors counted `misfit` times; more where twelfths of the period say
-/// otherwise (delete-a-block jackknife).
+/// otherwise (delete-a-block jackknife); and what the model itself leaves coefficients,
+/// and others with them.
 std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
                                   double misfit);
 
@@ -18,11 +19,12 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
 /// J w J^T. [unknowns x unknowns]
 Matrix information_of(const LoopData& data, const Standing& standing, double misfit);
 
-/// How its unknowns go together, by the normal equations. [unknowns x unknowns]
+/// How its unknowns go together, by the normal equations and by what the model itself
+/// leaves open. [unknowns x unknowns]
 Matrix correlations_of(const LoopData& data, const Standing& standing, double misfit);
 
-/// The standard deviation of an effect's coefficient, in its unit: of noise, of what was
-/// found about its shape and about what is missing, and of the model itself.
-double deviation_of(const Found& found, double of_noise, double coefficient);
+/// The standard deviation of an effect's coefficient, in its unit: of the last model
+/// (`deviations_of`), of what was found about its shape and about what is missing.
+double deviation_of(const Found& found, double of_last);
 
 }  // namespace bemcal::loop

@@ -40,6 +40,10 @@ Standings standings_of(const LoopResult& result) {
     return {&result.baseline.plain, &result.baseline.chosen, &result.last};
 }
 
+/// Of an effect that may be none for what parameters can do in its place.
+constexpr const char* doubt_of_zero =
+    "its interval holds 0: parameters do nearly the same";
+
 /// Fills what is stored, part by part.
 class Writer {
   public:
@@ -184,7 +188,7 @@ class Writer {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             double& sd = sds[last.built.first_effect() + k];
             if (!last.model.effects[k].other_hours)
-                sd = deviation_of(result_.found[k], sd, last.coefficient(k));
+                sd = deviation_of(result_.found[k], sd);
         }
         const auto accounts = accounts_of(data_);
         const auto worth = worth_of_effects(data_, result_.baseline.place, last, sds,
@@ -201,7 +205,7 @@ class Writer {
         const Found& found = result_.found[k];
         const double c = result_.last.coefficient(k);
         const double half =
-            effect.other_hours ? 0 : stats::z_90_two_sided * deviation_of(found, sd, c);
+            effect.other_hours ? 0 : stats::z_90_two_sided * deviation_of(found, sd);
         const effects::Entry* entry = effects::entry_of(effect);
         StoredLoop::Effect& stored = loop_.effects.emplace_back();
         stored.name = effect.name;
@@ -217,11 +221,12 @@ class Writer {
         }
         stored.separates = entry == nullptr ? "" : entry->separates;
         stored.doubt = found.doubt;
+        if (stored.doubt.empty() && half > std::abs(c)) stored.doubt = doubt_of_zero;
         stored.coefficient = c;
         stored.least = c - half;
         stored.most = c + half;
         stored.gain = found.gain;
-        stored.adequate = found.doubt.empty() ? 1 : 0;
+        stored.adequate = stored.doubt.empty() ? 1 : 0;
         stored.section = effects::job_section_of(
             effect, belief_of(k, {c, half / stats::z_90_two_sided}),
             data_.training().from, names_before(k));

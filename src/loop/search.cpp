@@ -130,7 +130,10 @@ double occam(const Screened& screened) {
     const double typical = screened.effect.typical;
     return std::log1p(screened.information * typical * typical) +
            of_a_run * picked(screened.effect) +
-           (screened.effect.is_named() ? 0 : decisions::generic_penalty);
+           (screened.effect.is_named() ? 0 : decisions::price_of_a_tenth) +
+           (screened.effect.hook == effects::Hook::meter_factor
+                ? decisions::price_of_a_tenth
+                : 0);
 }
 
 namespace {

@@ -104,12 +104,15 @@ TEST(LoopSearch, AsManyAreRefittedAsAreListed) {
     EXPECT_TRUE(shortlist(all).empty());
 }
 
-TEST(LoopSearch, FreedomCostsPicksAndAMissingName) {
+TEST(LoopSearch, FreedomCostsPicksAMissingNameAndABlamedMeter) {
     Screened one = screened_with("one", of_catalogue, 100);
     EXPECT_EQ(occam(one), 0);
     one.effect.number = of_grammar;
     EXPECT_DOUBLE_EQ(occam(one), 4.6);
     one.effect.number = of_catalogue;
+    one.effect.hook = effects::Hook::meter_factor;
+    EXPECT_DOUBLE_EQ(occam(one), 4.6);
+    one.effect.hook = effects::Hook::heating_efficiency;
     one.effect.days = {{10, 10}, {20, 22}, {30, 30, false, true}, {40, 40, false, true}};
     EXPECT_DOUBLE_EQ(occam(one), 2 * 2 * std::log(365.0));
     one.effect.calendar = "US";  // one pick for all of its days
