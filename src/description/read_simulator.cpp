@@ -245,7 +245,12 @@ void read_periods_file(const schema::Section& simulator, CommandOptions& options
         simulator.fail_value("periods",
                              "is none of files; expected the name of the file "
                              "that says which periods to simulate");
+    if (!simulator.has("hourly"))
+        simulator.fail("periods",
+                       "is of runs that give hours; expected a "
+                       "[[simulator.hourly]] for each meter");
     options.periods_file = path.filename().string();
+    options.own_periods = path;
 }
 
 /// The words of the command; with a shell those that start it.

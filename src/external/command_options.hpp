@@ -38,6 +38,7 @@ struct CommandOptions {
     /// One of the files: it is written for each run, with the periods that are asked for.
     /// "" = the program is always run for all.
     std::string periods_file;
+    std::filesystem::path own_periods;  ///< that file as it is, for runs without periods
     double time_limit_s = 600;
     double output_limit = 1e9;  ///< of each file that is written [bytes]
     Keep keep = Keep::failed;

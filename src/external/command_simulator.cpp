@@ -137,6 +137,7 @@ class HourlyCommand : public study::HourlySimulator {
 }  // namespace
 
 std::shared_ptr<const study::Simulator> make_command_simulator(CommandOptions options) {
+    if (!options.own_periods.empty()) options.links.push_back(options.own_periods);
     return std::make_shared<CommandSimulator>(std::move(options));
 }
 

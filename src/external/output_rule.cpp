@@ -56,6 +56,16 @@ Words lines_of(std::string_view text) {
     return lines;
 }
 
+/// As Windows writes it before the first name.
+std::string_view without_byte_order_mark(std::string_view line) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (line.starts_with(mark)) line.remove_prefix(mark.size());
+    return line;
+}
+
+/// Of a file that is one column, whose name may hold blanks.
+constexpr char no_separator = '\n';
+
 /// A blank stands for runs of blanks and tabs.
 char separator_of(std::string_view header) {
     char best = ' ';
@@ -102,8 +112,12 @@ Readings in_column(const OutputRule& rule, const std::string& text) {
     if (lines.size() < header)
         return failed(rule, fmt::format("has no line {} with the names of columns",
                                         rule.header_line));
-    const char separator = separator_of(lines[header - 1]);
-    const Words names = cells_of(lines[header - 1], separator);
+    const std::string_view head = without_byte_order_mark(lines[header - 1]);
+    const char separator =
+        trimmed(head) == rule.column ? no_separator : separator_of(head);
+    const Words names = cells_of(head, separator);
+    if (std::ranges::count(names, std::string_view(rule.column)) > 1)
+        return failed(rule, fmt::format("has several columns \"{}\"", rule.column));
     const auto column = static_cast<std::size_t>(
         std::ranges::find(names, std::string_view(rule.column)) - names.begin());
     if (column == names.size())
@@ -189,6 +203,12 @@ double sum_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+/// An order has no place for it.
+std::optional<double> first_nan(const std::vector<double>& values) {
+    const auto found = std::ranges::find_if(values, [](double v) { return v != v; });
+    return found == values.end() ? std::nullopt : std::optional(*found);
+}
+
 double taken(const OutputRule& rule, const std::vector<double>& values) {
     switch (rule.take) {
         case Take::only:
@@ -201,9 +221,9 @@ double taken(const OutputRule& rule, const std::vector<double>& values) {
         case Take::mean:
             return sum_of(values) / static_cast<double>(values.size());
         case Take::least:
-            return *std::ranges::min_element(values);
+            return first_nan(values).value_or(*std::ranges::min_element(values));
         case Take::most:
-            return *std::ranges::max_element(values);
+            return first_nan(values).value_or(*std::ranges::max_element(values));
         case Take::row:
             return values[static_cast<std::size_t>(rule.row - 1)];
     }

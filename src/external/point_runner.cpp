@@ -6,6 +6,7 @@
 #include "external/point_runner.hpp"
 
 #include "base/hash.hpp"
+#include "base/terminal.hpp"
 #include "external/process.hpp"
 #include "external/regular_file.hpp"
 
@@ -128,7 +129,9 @@ std::string PointRunner::run(std::span<const double> point, const Handed& handed
         std::error_code ignored;
         if (!keeps) fs::remove_all(folder, ignored);
         if (failure.empty()) return {};
-        return keeps ? fmt::format("{} (in {})", failure, name) : failure;
+        // What it wrote may be of any kind, and a reason is a text of the result.
+        const std::string why = in_one_line(failure);
+        return keeps ? fmt::format("{} (in {})", why, name) : why;
     } catch (const PointFailure& failure) {
         return failure.what();
     }

@@ -42,6 +42,7 @@ constexpr RangeNumber range_numbers[] = {{"range_measured", &MeterRange::measure
 std::map<std::size_t, std::set<std::string>> fitted_meters(const Job& job,
                                                            const study::Case& building) {
     std::map<std::size_t, std::set<std::string>> fitted;
+    if (job.simulator) return fitted;  // studies are of the program, and not of its twin
     for (const StudySpec& study : job.studies) {
         if (study.kind->fitted == nullptr) continue;
         for (const Fitted& each : study.kind->fitted(study, building)) {

@@ -4,8 +4,10 @@
 /// Targets are read by `read_targets`; objectives are in `meter_goal` and `target_goal`.
 #include "job/optimisation_kind.hpp"
 
+#include "description/words.hpp"
 #include "job/emulated.hpp"
 #include "job/fit_keys.hpp"
+#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
 #include "job/names.hpp"
@@ -115,7 +117,13 @@ void check(const StudyPlace& place, StudySpec& study) {
     const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
     const schema::Section& section = place.section;
     if (place.job.simulator) {
+        for (const std::string& name : options.parameters)
+            description::check_word(
+                section, "parameters", name,
+                description::names_of(place.job.simulator->parameters()),
+                "parameter of the simulator");
         check_targets(section, targets, *place.job.simulator);
+        if (n_runs > 0) check_nominal(place, "an emulator knows the ranges alone");
         return;
     }
     const bool is_of_meters = targets.empty();
@@ -143,10 +151,11 @@ calibration::TargetAim aim_of(const TargetSpecs& targets, const study::Case& bui
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
-    auto [options, targets, n_runs] = study.as<OptimisationStudy>();
+    const auto& [as_read, targets, n_runs] = study.as<OptimisationStudy>();
+    auto options = as_read;
     options.hourly_outputs = job.hourly_outputs;
     if (job.simulator)
-        return stages_of_simulator(study, job, n_runs, [&](auto simulator) {
+        return stages_of_simulator(study, job, n_runs, [&, options](auto simulator) {
             auto aimed = targets_of(targets, *simulator);
             return calibration::make_optimisation(
                 study.name, {std::move(simulator), std::move(aimed), {}}, options);

@@ -61,13 +61,17 @@ void check_buildings(const schema::Section& section, const StudySpec& study,
     }
 }
 
-void check_simulator(const schema::Section& section, const StudySpec& study,
-                     const study::Simulator& simulator) {
+void check_simulator(const schema::Section& root, const schema::Section& section,
+                     const StudySpec& study, const study::Simulator& simulator) {
     if (!study.kind->takes_simulator)
         section.fail_value(
             "kind",
             "needs a building, and the job has a [simulator] in its place; expected " +
                 words_of_kinds([](const Kind& kind) { return kind.takes_simulator; }));
+    if (root.table("simulator", "simulator").has("effect"))
+        section.fail_value("kind",
+                           "asks for numbers, and [[simulator.effect]] is of runs "
+                           "that give hours; expected a job of its own for it");
     if (simulator.outputs().empty())
         section.fail_value("kind",
                            "needs numbers of the [simulator]; expected a "
@@ -87,7 +91,7 @@ bool names_buildings(const schema::Section& root, const Kind& kind) {
 void check_study(const StudyPlace& place, StudySpec& study) {
     const Kind& kind = *study.kind;
     if (place.job.simulator && !kind.takes_twin)
-        check_simulator(place.section, study, *place.job.simulator);
+        check_simulator(place.root, place.section, study, *place.job.simulator);
     else if (kind.is_of_buildings)
         check_buildings(place.section, study, place.job);
     if (kind.check != nullptr) kind.check(place, study);

@@ -142,12 +142,13 @@ std::string candidate_tables(const Group& study) {
 }
 
 std::string screening_section(const Group& study) {
+    const double n_points = study.value("n_points");
     return fmt::format(
                "\n{}: nominal -> best of {:.0f} points (best in {} by CV(RMSE))\n",
-               study.path(), study.value("n_points"),
+               study.path(), n_points > 0 ? n_points : 0,
                study.texts("period").empty() ? "training" : study.texts("period")[0]) +
            fit_table(study) + count_lines(study) + parameter_table(study) +
-           failure_lines(study);
+           simulator_run_lines(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

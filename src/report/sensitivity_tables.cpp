@@ -29,6 +29,7 @@ std::vector<double> row_of(const std::vector<double>& values, std::size_t row,
 
 std::string with_half_width(double value, double half_width) {
     if (!(value == value)) return "-";
+    if (!(half_width == half_width)) return fmt::format("{:.3f}", value);
     return fmt::format("{:.3f} +- {:.3f}", value, half_width);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -153,7 +154,8 @@ std::string lost_scenarios(const Savings& savings) {
     std::vector<std::string> lost;
     for (std::size_t k = 0; k < savings.scenarios.size(); ++k) {
         const auto column = savings.rows.column((k + 1) * savings.outputs.size());
-        if (std::ranges::all_of(column, [](double value) { return std::isnan(value); }))
+        const auto points = std::span(column).subspan(column.size() > 1 ? 1 : 0);
+        if (std::ranges::all_of(points, [](double value) { return std::isnan(value); }))
             lost.push_back(
                 fmt::format("the scenario \"{}\" could be simulated at no point",
                             savings.scenarios[k]));

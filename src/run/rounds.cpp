@@ -37,8 +37,11 @@ study::Round to_round(const Bytes& bytes) {
     return round;
 }
 
-std::uint64_t checksum_of(const study::Round& round) {
-    return checksum64(round.needed.data(), round.needed.size() * sizeof(double));
+/// Of what this round needs and all before it: an answer may follow from those, too.
+std::uint64_t checksum_of(std::uint64_t before, const study::Round& round) {
+    const std::uint64_t both[] = {
+        before, checksum64(round.needed.data(), round.needed.size() * sizeof(double))};
+    return checksum64(both, sizeof both);
 }
 
 /// Rank 0's answer from the stage, on every rank; none: it is done.
@@ -82,7 +85,7 @@ void run_all(Comm& comm, study::Stage& stage, const RoundOptions& options,
         first += count;
         count = next->n_items;
         stage.begin_round(first, *next);
-        start.checksum = checksum_of(*next);
+        start.checksum = checksum_of(start.checksum, *next);
     }
 }
 

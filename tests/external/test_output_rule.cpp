@@ -67,6 +67,25 @@ TEST(OutputRule, ReadsWhatOtherProgramsSeparateBy) {
     EXPECT_EQ(read("Type 25\nTIME Q\nh kWh\n1 7\n", printer).value, 7);
 }
 
+TEST(OutputRule, ANumberThatIsNoneIsToldWhereverItStands) {
+    for (const Take take : {Take::least, Take::most, Take::sum, Take::mean})
+        EXPECT_EQ(read("a\n1\nnan\n3\n", column("a", take)).failure,
+                  "out.csv: the column \"a\" has nan, not a finite number");
+}
+
+TEST(OutputRule, AByteOrderMarkIsNoPartOfAName) {
+    EXPECT_EQ(read("\xEF\xBB\xBFgas,b\n1,2\n", column("gas")).value, 1);
+}
+
+TEST(OutputRule, AnOnlyColumnsNameMayHoldBlanks) {
+    EXPECT_EQ(read("gas [kWh]\n1\n2\n", column("gas [kWh]", Take::sum)).value, 3);
+}
+
+TEST(OutputRule, OfTwoColumnsOfOneNameNoneIsTaken) {
+    EXPECT_EQ(read("a,b,a\n1,2,3\n", column("a")).failure,
+              "out.csv: has several columns \"a\"");
+}
+
 TEST(OutputRule, WhatIsNotThereHasAReason) {
     EXPECT_EQ(read(table, column("heat")).failure,
               "out.csv: has no column \"heat\", but Date/Time, Gas [J](Hourly), T [C]");

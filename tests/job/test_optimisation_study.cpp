@@ -3,6 +3,7 @@
 #include "job/optimisation_kind.hpp"
 #include "job/small_results.hpp"
 #include "plan/plan.hpp"
+#include "study/analytic_simulator.hpp"
 #include "support/stage_answers.hpp"
 
 #include <algorithm>
@@ -104,6 +105,24 @@ TEST(OptimisationStudy, TakesTargetsInPlaceOfMeters) {
 struct Bad {
     const char *keys, *message;
 };
+
+TEST(OptimisationStudy, GoesOnAnEmulatorAfterItHasBeenRead) {
+    const Folder folder;
+    Job job = read_job(write_job(
+        folder, "evaluations = 40\n[[study.target]]\nquantity = \"gas\"\nmeasured = 1"));
+    job.simulator = std::make_shared<test::AnalyticSimulator>();
+    for (StudySpec& study : job.studies)
+        if (std::string_view(study.kind->word) == "optimisation") {
+            auto made = study.as<OptimisationStudy>();
+            made.n_runs = 14;
+            made.targets = {TargetSpec{}};
+            made.targets[0].simulator_output = job.simulator->outputs()[0].name;
+            made.targets[0].measured = {3};
+            study.options = made;
+            const auto stages = study.kind->stages(study, job);
+            EXPECT_GT(test::answers_of(*stages.at(0)).size(), 14U);
+        }
+}
 
 TEST(OptimisationStudy, RefusesWhatCannotBeFitted) {
     for (const Bad& bad : std::initializer_list<Bad>{

@@ -1,4 +1,5 @@
 #include "run/execute.hpp"
+#include "run/rounds.hpp"
 #include "support/mpi_world.hpp"
 #include "support/shared_folder.hpp"
 
@@ -123,6 +124,41 @@ TEST(Rounds, GoOnFromTheAnswersBeforeForAnyThreads) {
             EXPECT_EQ(stored_scores(folder), plain_scores());
         }
     }
+}
+
+/// Two rounds after the first; what the second needs is always the same.
+class Learns : public Walk {
+  public:
+    explicit Learns(double learned) : learned_(learned) {}
+    std::optional<study::Round> next_round(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        if (answers.size() >= 7) return std::nullopt;
+        return study::Round{1, {answers.size() == 5 ? learned_ : 1}};
+    }
+
+  private:
+    double learned_;
+};
+
+std::vector<std::uint64_t> checksums_of(double learned) {
+    Learns stage(learned);
+    std::vector<std::uint64_t> checksums;
+    RoundOptions options;
+    options.on_round = [&](const RoundStart& start) {
+        checksums.push_back(start.checksum);
+    };
+    run_rounds(world(), stage, options);
+    return checksums;
+}
+
+// Items that failed are done again: what was learned from the others was of less.
+TEST(Rounds, AnAnswerIsOfAllThatRoundsBeforeNeeded) {
+    const auto one = checksums_of(2), same = checksums_of(2), other = checksums_of(3);
+    ASSERT_EQ(one.size(), 3U);
+    EXPECT_EQ(one, same);
+    EXPECT_EQ(one[0], other[0]);
+    EXPECT_NE(one[1], other[1]);
+    EXPECT_NE(one[2], other[2]);
 }
 
 TEST(Rounds, AStageThatAsksForNoneHasOne) {
