@@ -1,6 +1,6 @@
 /// Says what has drifted since the night before: parameters that moved by a share of
-/// their range and out of their interval, meters whose RMSE of the last period is a
-/// factor above the first's.
+/// their range and out of their interval, meters of which both RMSE and CV(RMSE) of the
+/// last period are a factor above the first's.
 /// Follows from two thresholds of the job; it is no test.
 /// Leaves out trends over several nights, and causes.
 #include "stock/drift.hpp"
@@ -49,10 +49,17 @@ void find_error_drift(const job::StockOptions& options, const StockRecord* befor
         const StockRecord* reference = first == last ? before : &record;
         const StockRecord::Fit* usual =
             reference == nullptr ? nullptr : fit_of(*reference, now.meter, first);
-        if (usual == nullptr || !(now.rmse() > options.drift_error * usual->rmse()))
+        // In winter a heat meter's RMSE is above that of a year, its CV(RMSE) below.
+        const auto is_above = [&](double is, double was) {
+            return is > options.drift_error * was;
+        };
+        if (usual == nullptr || !is_above(now.rmse(), usual->rmse()) ||
+            !is_above(now.cv_rmse, usual->cv_rmse))
             continue;
-        add(record, fmt::format("error of {}: RMSE {:.3g} {} in {}, {:.3g} {}", now.meter,
-                                now.rmse(), now.unit, now.period, usual->rmse(),
+        add(record, fmt::format("error of {}: RMSE {:.3g} {} in the {}, {:.3g} {}",
+                                now.meter, now.rmse(), now.unit,
+                                now.period == recent_period ? "last days" : now.period,
+                                usual->rmse(),
                                 first == last ? "the night before" : "in " + first));
     }
 }

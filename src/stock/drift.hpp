@@ -11,8 +11,8 @@ namespace bemcal::stock {
 void find_drift(const job::StockOptions& options, const StockRecord& before,
                 StockRecord& record);
 
-/// Adds the meters whose RMSE of the last period is above the options' factor times that
-/// of the first; with one period only, that of the night before.
+/// Adds the meters of which both RMSE and CV(RMSE) of the last period are above the
+/// options' factor times those of the first; with one period only, of the night before.
 /// \param before  or nullptr
 void find_error_drift(const job::StockOptions& options, const StockRecord* before,
                       StockRecord& record);

@@ -32,7 +32,6 @@ constexpr int most_steps = 4;      ///< told of a building in one night
 constexpr double days_a_week = 7;  ///< the rate of false alarms is of a week
 /// Of an effect, or of a pattern as it was: what is left below this has ended.
 constexpr double nearly_nothing = 0.25;
-constexpr const char* recent_period = "recent";
 
 std::string date(double day) {
     return physics::format_date(
@@ -86,6 +85,9 @@ void note(const Look::Found& found, StockRecord& record) {
     const double unsure = stats::z_90_two_sided * found.step.sd;
     const double usual = is_named ? 1 : std::abs(was);
     const bool is_new = !is_named && was == 0;
+    // A pattern's size wanders: less than it may leave as it ends is no change of it.
+    if (!is_named && was != 0 && std::abs(found.step.size) <= nearly_nothing * usual)
+        return;
     // What has ended already does not end again: what is left of it is followed.
     if (was != 0 && std::abs(now) <= std::max(unsure, nearly_nothing * usual)) now = 0;
     record.changes.push_back({effect.name, found.day, now - was});

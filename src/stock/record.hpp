@@ -15,6 +15,9 @@
 
 namespace bemcal::stock {
 
+/// Of the last days, of a building that was tested in a night.
+inline constexpr const char* recent_period = "recent";
+
 /// The first lines of a night's table and of the history of nights.
 constexpr const char* table_head =
     "building,status,cause,reason,drift,nights_since,simulations,meter,"

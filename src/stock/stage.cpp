@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/machine.hpp"
 #include "input/input_files.hpp"
+#include "job/content_hash.hpp"
 #include "stock/calibration.hpp"
 #include "stock/common.hpp"
 #include "stock/drift.hpp"
@@ -38,7 +39,7 @@ class StockStage : public study::Stage {
     StockStage(const job::Job& job, StockNight night)
         : job_(job), stock_(*job.stock), night_(std::move(night)) {
         Hasher hasher;
-        hasher.add(std::string_view(job_.text));
+        hasher.add(std::string_view(job::content_hash(job_.text, job_.file.string())));
         hasher.add(std::string_view(night_.version));
         job_hash_ = hasher.hex();
         for (const StockRecord& record : night_.before) before_[record.name] = &record;

@@ -86,7 +86,12 @@ TEST(StockDrift, OfTheErrorIsTheRecentRmseOverThatOfTraining) {
     EXPECT_EQ(now.drift, "");
     now.fits[1].cv_rmse = 0.31;
     stock::find_error_drift({}, nullptr, now);
-    EXPECT_EQ(now.drift, "error of gas: RMSE 3.1 kWh in recent, 2 in training");
+    EXPECT_EQ(now.drift, "error of gas: RMSE 3.1 kWh in the last days, 2 in training");
+    now.drift = "";
+    now.fits[1].measured *= 3;  // a winter's days: a larger error of a larger mean
+    now.fits[1].cv_rmse = 0.25;
+    stock::find_error_drift({}, nullptr, now);
+    EXPECT_EQ(now.drift, "");
 }
 
 std::vector<float> some_days(double factor, int first) {
