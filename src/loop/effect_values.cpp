@@ -2,7 +2,8 @@
 /// draws about them.
 /// Source: Gaussian approximation of the posterior (Gelman and others 2013, Bayesian Data
 /// Analysis, 4.1), its correlations from the normal equations, its deviations as printed.
-/// Two effects that act together share what they bring: each is taken out alone.
+/// Two effects that act together share what they bring: each is taken out alone. What
+/// began on a date is taken as if it had been there all the time.
 #include "loop/effect_values.hpp"
 
 #include "base/error.hpp"
@@ -102,6 +103,16 @@ Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
     return {mean, mean - half, mean + half};
 }
 
+/// From the first hour on what begins on a date; else nothing.
+std::optional<effects::Effect> of_all_time(effects::Effect effect) {
+    constexpr double before_all = -1;  // [a]
+    if (effect.driver != effects::Driver::elapsed ||
+        effect.shape.form != effects::Form::over || effect.shape.at <= 0)
+        return std::nullopt;
+    effect.shape.at = before_all;
+    return effect;
+}
+
 }  // namespace
 
 std::optional<double> per_year(double days) {
@@ -139,7 +150,7 @@ std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Pla
     std::vector<std::vector<Worth>> all(n_found, std::vector<Worth>(accounts.size()));
     if (n_found == 0) return all;
     const Matrix points = points_about(data, last, deviations, misfit);
-    const Matrix with = totals_of(data, *last.built.fit_model, points, accounts);
+    const Matrix as_it_is = totals_of(data, *last.built.fit_model, points, accounts);
     for (std::size_t k = 0; k < n_found; ++k) {
         auto fewer = last.model.effects;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
@@ -148,6 +159,13 @@ std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Pla
             const Matrix less =
                 totals_of(data, *model.fit_model,
                           without(points, last.built.first_effect() + k), accounts);
+            Matrix with = as_it_is;
+            if (const auto whole = of_all_time(last.model.effects[k])) {
+                auto effects = last.model.effects;
+                effects[k] = *whole;
+                with =
+                    totals_of(data, *build(place, effects).fit_model, points, accounts);
+            }
             for (std::size_t a = 0; a < accounts.size(); ++a)
                 all[k][a] = worth_in(with, less, a);
         } catch (const CannotSimulate&) {
