@@ -214,18 +214,27 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
                                                    physics::Interval interval,
                                                    bool is_said,
                                                    std::vector<TimeNote>& notes) {
-    if (stamps.at_end || is_said)
-        return on_calendar(stamps, values, interval, stamps.at_end);
+    const auto months_each = [&](const auto& bills) {
+        return bills && interval == Interval::monthly ? months_of_each(*bills) : 1;
+    };
+    if (stamps.at_end || is_said) {
+        auto bills = on_calendar(stamps, values, interval, stamps.at_end);
+        const int n = stamps.at_end ? months_each(bills) : 1;
+        if (n == 1) return bills;
+        notes.push_back(
+            {fmt::format("its rows end {} months apart", n), "each read as of as many"});
+        for (Bill& bill : *bills) bill.from = months_later(bill.from, 1 - n, false);
+        return bills;
+    }
     if (auto bills = on_calendar(stamps, values, interval, false)) {
-        const int n = interval == Interval::monthly ? months_of_each(*bills) : 1;
+        const int n = months_each(bills);
         if (n == 1) return bills;
         notes.push_back({fmt::format("its rows begin {} months apart", n),
                          "each read as of as many; stamp = \"start\" makes them months"});
         return std::nullopt;
     }
     auto bills = on_calendar(stamps, values, interval, true);
-    if (bills && interval == Interval::monthly && months_of_each(*bills) > 1)
-        return std::nullopt;
+    if (months_each(bills) > 1) return std::nullopt;
     if (bills)
         notes.push_back({fmt::format("its stamps are the last days of {}",
                                      interval == Interval::monthly ? "months" : "years"),

@@ -69,6 +69,17 @@ TEST(Bills, OfQuartersLastUntilTheNext) {
         << "stamp = start";
 }
 
+TEST(Bills, OfQuartersThatAreStampedByTheirLastDayAreWhole) {
+    StampRules ends;
+    ends.at_end = true;
+    const Read quarters =
+        read("t,x\n2021-03-31,1\n2021-06-30,2\n2021-09-30,3\n", {}, ends);
+    EXPECT_EQ(
+        quarters.bills,
+        "2021-01-01 2021-04-01 1; 2021-04-01 2021-07-01 2; 2021-07-01 2021-10-01 3; ");
+    EXPECT_EQ(quarters.notes.at(0).finding, "its rows end 3 months apart");
+}
+
 TEST(Bills, OfMonthsWithGapsAreOfMonths) {
     for (const char* months :
          {"2021-01-01,1\n2021-02-01,2\n2021-05-01,3\n", "2021-01-01,1\n2021-03-01,2\n",

@@ -245,6 +245,12 @@ class Frames(Folder):
         for stamp in ("start", "end"):
             self.assertEqual(self.meter(ends, interval="monthly", stamp=stamp)[1], "2021-01-31,1.0")
         self.refuse("are months or bills", ends)
+        weeks = pd.Series([1.0] * 28, pd.date_range("2021-01-04", periods=28)).resample("W").sum()
+        self.refuse("rows are weeks", weeks)
+        self.refuse("rows are weeks", weeks, stamp="end")
+        for said in (self.meter(weeks.to_period("W")), self.meter(weeks.set_axis(weeks.index - pd.Timedelta("6D")),
+                                                                  stamp="start")):
+            self.assertEqual(said[1], "2021-01-04 00:00:00,7.0")
 
     def test_steps_that_differ_are_refused_and_rows_that_lack_are_not(self):
         data = reals(HOURS)

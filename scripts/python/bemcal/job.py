@@ -180,14 +180,16 @@ class Job(MutableMapping[str, Any]):
         unit      of the readings: "kWh", "kW", "m3", "degC", ... (energies are of a step, not counted on)
         quantity  what of the model it is held against: "gas", "electricity", "district", "heating", "cooling",
                   "air_temperature"; default: that of the meter that is there, else its name
-        stamp     "start" or "end" of the step; default: start, but rows on last days of months have to say it
+        stamp     "start" or "end" of the step; default: start, but rows on last days of months and weeks have to say it
         keys      others of [[meter]]: interval, gaps="missing" (absent rows), tariff, zeros, ...
         """
         what = f"meter {name}"
         frame = readings.column_of(data, column, name, what)
         said = {} if stamp is None else {"stamp": stamp}
         self._files[name] = readings.csv_of(frame, what, {**said, **keys})
-        keys = {"stamp": stamp or "start", **keys}
+        # Without a word the program looks itself whether rows are months or quarters.
+        default = {} if keys.get("interval") in readings.BY_CALENDAR else {"stamp": "start"}
+        keys = {**default, **said, **keys}
         rows = [row for row in self.get("meter", []) if row.get("name") == name]
         row = rows[0] if rows else self.add("meter", name=name, quantity=quantity or name)
         more = {} if quantity is None else {"quantity": quantity}

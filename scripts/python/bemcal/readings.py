@@ -103,6 +103,14 @@ def check_months(index: pd.DatetimeIndex, what: str) -> None:
                             "that begin on them")
 
 
+def check_weeks(index: pd.DatetimeIndex, what: str, stamp: "Any") -> None:
+    """pandas' own weeks are called by their last day, which ends a day later."""
+    if len(index) > 1 and (index[1:] - index[:-1]).min() == 7 * DAY and \
+            (stamp is None or stamp == "end" and str(index.freqstr).startswith("W-")):
+        raise refused(what, "its rows are weeks, which pandas calls by their last day; expected "
+                            "data.to_period(\"W\"), or stamp=\"start\" of stamps that are first days")
+
+
 def stamps_of(index: pd.DatetimeIndex, by_date: bool) -> "list[str]":
     """2022-03-27 03:00:00+02:00; a date alone of months and bills."""
     if by_date:
@@ -114,6 +122,8 @@ def csv_of(data: pd.DataFrame, what: str, keys: Mapping[str, Any]) -> str:
     """The file. `keys` are those of the job's section, which say how it will be read."""
     index, numbers = time_index(data, what), check_values(data, what)
     is_by_calendar = keys.get("interval") in BY_CALENDAR
+    if not is_by_calendar and not isinstance(data.index, pd.PeriodIndex):
+        check_weeks(index, what, keys.get("stamp"))
     if keys.get("clock") not in WALL_CLOCKS or index.tz is not None:
         check_order(index, what)
         if not is_by_calendar:
