@@ -35,13 +35,6 @@ bool covers(const TimeAxis& axis, Span span) {
     return axis.start <= span.from && span.to <= axis.end();
 }
 
-bool any_missing(const TimeAxis& axis, const std::vector<double>& values, Span span) {
-    const int end = axis.step_of(span.to - seconds(1)) + 1;
-    for (int k = axis.step_of(span.from); k < end; ++k)
-        if (std::isnan(values[static_cast<std::size_t>(k)])) return true;
-    return false;
-}
-
 std::string weather_span(const Weather& weather) {
     return describe({weather.axis.start, weather.axis.end()});
 }
@@ -93,18 +86,6 @@ void for_each_series(const Weather& weather, const Building& building,
         if (!building.planes.empty()) look(weather.axis, *series);
     for (const Profile& profile : profiles)
         if (profile.is_series) look(profile.axis, profile.values);
-}
-
-/// Whether weather and series have values all over `span`.
-bool has_values(const Weather& weather, const Building& building,
-                const std::vector<Profile>& profiles, Span span) {
-    bool has = true;
-    for_each_series(weather, building, profiles,
-                    [&](const TimeAxis& axis, const std::vector<double>& values) {
-                        has =
-                            has && covers(axis, span) && !any_missing(axis, values, span);
-                    });
-    return has;
 }
 
 /// A needed value of a series; says which and when where it is missing.
@@ -248,27 +229,22 @@ struct Layout {
     std::vector<std::size_t> pick;
 };
 
-/// With real hours before the period the source is the whole drive. Else the warm-up
-/// repeats days of the period, the last of them just before its begin, at the same hours
-/// of the day: its first ones; of a year those 52 weeks later, so that the first month
-/// does not begin as if it had been there before.
-Layout lay_out(Span period, int step_s, int n_warm_up, bool real_warm_up) {
+/// The warm-up ends with the real steps before the period, as far as they are known.
+/// Before these it repeats days of the period, the last of them just before its begin, at
+/// the same hours of the day: its first ones; of a year those 52 weeks later, so that the
+/// first month does not begin as if it had been there before.
+Layout lay_out(Span period, int step_s, int n_warm_up, int n_real) {
     const auto count = static_cast<int>((period.to - period.from).count() / step_s);
     const int per_day = day_s / step_s;
     const int year = 52 * 7 * per_day;
     const int days = std::min((n_warm_up + per_day - 1) / per_day, count / per_day);
     const int repeated = count >= year ? year : days > 0 ? days * per_day : count;
     Layout layout;
-    layout.source = {period.from, step_s, count};
-    if (real_warm_up) {
-        layout.source.start -= seconds(static_cast<long long>(n_warm_up) * step_s);
-        layout.source.n_steps += n_warm_up;
-    }
+    layout.source = {period.from - seconds(static_cast<long long>(n_real) * step_s),
+                     step_s, count + n_real};
     for (int k = -n_warm_up; k < count; ++k) {
-        const int step = real_warm_up ? k + n_warm_up
-                         : k >= 0     ? k
-                                      : (repeated - (-k) % repeated) % repeated;
-        layout.pick.push_back(static_cast<std::size_t>(step));
+        const int step = k >= -n_real ? k : (repeated - (-k) % repeated) % repeated;
+        layout.pick.push_back(static_cast<std::size_t>(step + n_real));
     }
     return layout;
 }
@@ -319,13 +295,14 @@ Drive make_drive(const Weather& weather, const Building& building,
                  int step_s, int n_warm_up_hours, SkyModel sky, PlaneSource* planes) {
     check_period(weather, {from, to}, step_s, n_warm_up_hours);
     check_sizes(weather, building, profiles);
-    const Span warm_up{from - std::chrono::hours(n_warm_up_hours), from};
-    const bool real = has_values(weather, building, profiles, warm_up);
-    const int n_warm_up = n_warm_up_hours * (3600 / step_s);
-    const Layout layout = lay_out({from, to}, step_s, n_warm_up, real);
+    const int per_hour = 3600 / step_s, n_warm_up = n_warm_up_hours * per_hour;
+    const int n_real =
+        per_hour * known_hours_before(weather, building, profiles, from, n_warm_up_hours);
+    const Layout layout = lay_out({from, to}, step_s, n_warm_up, n_real);
 
     Drive drive;
-    drive.axis = {warm_up.from, step_s, static_cast<int>(layout.pick.size())};
+    drive.axis = {from - std::chrono::hours(n_warm_up_hours), step_s,
+                  static_cast<int>(layout.pick.size())};
     drive.n_warm_up = n_warm_up;
     drive.theta_e.resize(layout.pick.size());
     gather(temperatures(weather, layout.source), layout.pick, drive.theta_e);

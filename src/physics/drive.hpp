@@ -67,10 +67,10 @@ int known_hours_before(const Weather& weather, const Building& building,
                        const std::vector<Profile>& profiles, Seconds from, int most);
 
 /// Lays weather and profiles on the steps [from, to), with `n_warm_up_hours` before them:
-/// the real hours before `from` where the weather and series have them, else the first
-/// hours of the period, repeated, or those 52 weeks later where it is that long. Steps
-/// shorter than an hour: temperature linear between the hours' middles, irradiance and
-/// schedules held. Throws std::invalid_argument where a needed value is missing.
+/// the real hours before `from` as far as weather and series have them; before these the
+/// first hours of the period, repeated, or those 52 weeks later where it is that long.
+/// Steps shorter than an hour: temperature linear between the hours' middles, irradiance
+/// and schedules held. Throws std::invalid_argument where a needed value is missing.
 /// \param planes  of this very weather, if somebody has them; nullptr: they are computed
 Drive make_drive(const Weather& weather, const Building& building,
                  const std::vector<Profile>& profiles, Seconds from, Seconds to,
