@@ -27,6 +27,7 @@ class Right:
     meters: tuple = ()       # at which it is right
     parameter: str = ""      # that is wrong: a factor on what is declared
     when: dict = field(default_factory=dict)   # name: of the truth's details, whether it is right
+    says: dict = field(default_factory=dict)   # name: what its sentence has to say
 
     def rows(self):
         """What the power table may call it: beside others, what is at a meter has the meter's name."""
@@ -111,7 +112,8 @@ RIGHT = {
     "weekend_use": named("use at weekends", "loads at weekends"),
     "saturday_operation": named("Saturdays worked", "Saturday mornings worked",
                                 "plant runs on Saturday mornings",
-                                "plant runs at weekends as on weekdays"),
+                                "plant runs at weekends as on weekdays", "other hours than declared",
+                                says={"other hours than declared": "Saturdays"}),
     "four_day_week": named("a free weekday", coefficient=same),
     "single_holidays": named("holidays"),
     "closed_weeks": named("holidays"),
@@ -188,7 +190,8 @@ def is_right(effect, planted, details=None):
     """Whether a found effect (a record of effects.json) is the planted one. `details`: the truth's."""
     right = RIGHT[planted]
     is_there = not right.meters or effect["shape"].endswith(right.meters)
-    return (effect["name"] in names_of(planted, details) and is_there) or \
+    says_so = right.says.get(effect["name"], "") in effect["shape"]
+    return (effect["name"] in names_of(planted, details) and is_there and says_so) or \
         (effect["hook"], effect["driver"]) in right.places
 
 

@@ -105,11 +105,10 @@ Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
 
 /// From the first hour on what begins on a date; else nothing.
 std::optional<effects::Effect> of_all_time(effects::Effect effect) {
-    constexpr double before_all = -1;  // [a]
     if (effect.driver != effects::Driver::elapsed ||
         effect.shape.form != effects::Form::over || effect.shape.at <= 0)
         return std::nullopt;
-    effect.shape.at = before_all;
+    effect.shape.at = -1;  // a year before the first hour
     return effect;
 }
 

@@ -42,6 +42,28 @@ TEST(EffectValues, AreTheEnergyThatWasPlanted) {
     EXPECT_NEAR(gas.mean, planted, 3 * (gas.most - gas.mean));
 }
 
+/// Of leaks that were opened so many years after the begin, all else alike.
+double gas_of_leaks_from(const test::WindyModel& model, double at) {
+    LoopModel with;
+    with.effects = {test::named("leaks sealed or opened")};
+    with.effects[0].shape.at = at;
+    std::vector<double> x(model.place.unknowns.size() + 1);
+    Standing standing = calibrate(model.data, model.place, with, x);
+    x.back() = 1;
+    standing.fit.at.x = x;
+    return worth_of_effects(model.data, model.place, standing,
+                            deviations_of(model.data, standing, 1), 1,
+                            accounts_of(model.data))[0][0]
+        .mean;
+}
+
+TEST(EffectValues, OfWhatBeganOnADateAreOfAllTheTime) {
+    const test::WindyModel model({});
+    const double from_the_begin = gas_of_leaks_from(model, -1);
+    EXPECT_GT(from_the_begin, 0);
+    EXPECT_EQ(gas_of_leaks_from(model, 0.25), from_the_begin);
+}
+
 TEST(EffectValues, AreTheSameAgain) {
     const test::WindyModel model(by_wind);
     const Worth one = worth_in(model)[0][0], two = worth_in(model)[0][0];

@@ -155,6 +155,12 @@ class Scores(unittest.TestCase):
         self.assertTrue(loop_scores.is_named(case, "blinds"))
         self.assertEqual(loop_scores.false_effects(case), [])
 
+    def test_other_hours_are_right_of_the_days_that_they_are_said_of(self):
+        hours = {**found("other hours than declared"), "shape": "hvac runs Saturdays 7 to 11 h; declared off"}
+        self.assertTrue(loop_names.is_right(hours, "saturday_operation"))
+        self.assertFalse(loop_names.is_right({**hours, "shape": "hvac runs Sundays 7 to 11 h; declared off"},
+                                             "saturday_operation"))
+
     def test_a_place_without_a_name_is_right_too(self):
         case = scored({"server_heat": 2}, [found("a sentence", hook="gains", driver="constant")])
         self.assertTrue(loop_scores.is_named(case, "server_heat"))

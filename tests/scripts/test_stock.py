@@ -191,10 +191,15 @@ class SecondNight(unittest.TestCase):
                                             two["stock/stock_fit_cv_rmse"][:]):
                     if k in changed:
                         self.assertLessEqual(after, before)
-            # A budget of one building: the others wait, then come first.
-            made.change(stock, 0.15, seed=5)
+            # How a night is run makes nothing due, nor does a comment.
             text = job.read_text()
-            job.write_text(text.replace("[stock]", "[stock]\nbudget = 1"))
+            limited = "# of a district\n" + text.replace("[stock]", "[stock]\nbudget = 1")
+            job.write_text(limited)
+            run("-o", third, "--after", second)
+            self.assertEqual(set(texts(third, "stock_status")), {"unchanged", "failed"})
+            third.unlink()
+            # A budget of one building: the others wait, then come first.
+            job.write_text(limited.replace("[stock]", "[stock]\nwindow_days = 300"))
             run("-o", third, "--after", second)
             status = texts(third, "stock_status")
             self.assertEqual(status.count("calibrated") + (texts(third, "stock_cause")[
