@@ -214,12 +214,13 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
                                                    physics::Interval interval,
                                                    bool is_said,
                                                    std::vector<TimeNote>& notes) {
-    const auto months_each = [&](const auto& bills) {
-        return bills && interval == Interval::monthly ? months_of_each(*bills) : 1;
+    const auto months_each = [&](const std::vector<Bill>& bills) {
+        return interval == Interval::monthly ? months_of_each(bills) : 1;
     };
     if (stamps.at_end || is_said) {
         auto bills = on_calendar(stamps, values, interval, stamps.at_end);
-        const int n = stamps.at_end ? months_each(bills) : 1;
+        if (!bills || !stamps.at_end) return bills;
+        const int n = months_each(*bills);
         if (n == 1) return bills;
         notes.push_back(
             {fmt::format("its rows end {} months apart", n), "each read as of as many"});
@@ -227,14 +228,14 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
         return bills;
     }
     if (auto bills = on_calendar(stamps, values, interval, false)) {
-        const int n = months_each(bills);
+        const int n = months_each(*bills);
         if (n == 1) return bills;
         notes.push_back({fmt::format("its rows begin {} months apart", n),
                          "each read as of as many; stamp = \"start\" makes them months"});
         return std::nullopt;
     }
     auto bills = on_calendar(stamps, values, interval, true);
-    if (months_each(bills) > 1) return std::nullopt;
+    if (bills && months_each(*bills) > 1) return std::nullopt;
     if (bills)
         notes.push_back({fmt::format("its stamps are the last days of {}",
                                      interval == Interval::monthly ? "months" : "years"),
