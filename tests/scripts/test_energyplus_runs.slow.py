@@ -58,6 +58,7 @@ HOOKS = (
     ("neighbour", 0.2, {"temperature": 16}, 1, -1, -1), ("aperture", -0.4, {}, 1, -1, -1),
     ("aperture", -0.4, {"facade": "south facade"}, 1, -1, -1), ("heat recovery", 0.5, {}, -1, None, None),
     ("gains", 3, {}, -1, 1, 1), ("gains", -3 * EVENING, {}, 1, -1, -1), ("loads", -0.3, {}, 1, -1, -1),
+    ("lights", -0.3, {}, 1, -1, -1), ("equipment", 0.3, {}, -1, 1, 1),
     ("lights and equipment", 4 * EVENING, {}, -1, 1, 1), ("lights and equipment", -2 * EVENING, {}, 1, -1, -1),
     ("heating set-point", 2 * EVENING, {}, 1, 0, 1), ("heating set-point", 12 * EVENING, {}, 1, None, 1),
     ("cooling set-point", -1.5, {}, None, 1, -1), ("cooling set-point", -15 * EVENING, {}, None, 1, -1),
@@ -68,7 +69,7 @@ HOOKS = (
     ("heating efficiency", -0.1, {}, 1, 0, 0), ("cooling COP", -0.1, {}, 0, 0, 0),
     ("meter addition", 2, {"meter": "gas"}, 1, 0, 0), ("meter factor", 0.1, {"meter": "gas"}, 1, 0, 0),
 )
-LEFT_OUT = {"second mass", "ground", "economiser", "supply temperature"}   # of this model
+LEFT_OUT = {"second mass", "ground", "economiser", "supply temperature", "room spread"}   # of this model
 
 
 def energyplus():
