@@ -108,7 +108,8 @@ std::string retrofit_section(const Group& study) {
     const auto& limits = study.values("comfort_limit");
     if (limits.size() == 2 && counts_hours(study))
         text += fmt::format(
-            "  too_cold, too_warm: occupied hours below {:g} degC, above {:g} degC\n",
+            "  too_cold, too_warm: hours below {:g} degC, above {:g} degC; those of "
+            "`occupied`, where the study has it\n",
             limits[0], limits[1]);
     return text + failure_lines(study);
 }
