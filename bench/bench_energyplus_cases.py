@@ -10,9 +10,7 @@ on a day is the file without it before that day and the file with it after. No c
 Prints what was found in each and `name value unit reference ratio`: cases named right, false names, and the geometric
 mean over energies of the hourly held-out error of `after` over that of `before` (no effect accepted).
 """
-import argparse
 import json
-import pathlib
 import re
 import shutil
 import sys
@@ -24,8 +22,7 @@ import large_job
 import numpy as np
 import pandas
 
-import idf        # noqa: E402  (found by bench_idf_loads)
-import reports    # noqa: E402
+import reports    # noqa: E402  (found by bench_idf_loads)
 from report import result as stored  # noqa: E402
 
 NULL = {"so": "so_null", "mo": "mo_null", "ap": "ap_null"}
@@ -313,20 +310,10 @@ def score(folder, effect):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--only", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}")
-    parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / "energyplus_cases")
-    options = parser.parse_args()
-    energyplus = idf.program()
-    if lacks := loads.reason_to_skip(energyplus):
-        print(f"skipped: {lacks}")
-        return loads.SKIPPED
-    wrong = next((name for name in options.only or () if name not in CASES), None)
-    if wrong:
-        parser.error(f"--only: {wrong}: expected one of {', '.join(CASES)}")
+    energyplus, names, made_in = loads.asked(__doc__, CASES, "energyplus_cases")
     scores = {}
-    for case in options.only or CASES:
-        folder = options.folder.resolve() / case
+    for case in names:
+        folder = made_in / case
         folder.mkdir(parents=True, exist_ok=True)
         if not (folder / "measured_test.csv").exists():
             write_case(case, with_effect(energyplus, case, CASES[case], folder), folder)

@@ -61,6 +61,19 @@ def reason_to_skip(energyplus):
     return "; ".join(([] if energyplus else [reports.HOW]) + ([] if CASES.exists() else [f"no {CASES}"]))
 
 
+def asked(says, cases, folder):
+    """EnergyPlus, the cases that are asked for (default: all), and the folder of their folders; or the end."""
+    parser = argparse.ArgumentParser(description=says.split("\n\n")[0])
+    parser.add_argument("--only", nargs="*", metavar="CASE", choices=cases, help=f"of {', '.join(cases)}")
+    parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / folder)
+    options = parser.parse_args()
+    energyplus = idf.program()
+    if lacks := reason_to_skip(energyplus):
+        print(f"skipped: {lacks}")
+        sys.exit(SKIPPED)
+    return energyplus, options.only or list(cases), options.folder.resolve()
+
+
 def metered_years(energyplus, case, model, folder, energies):
     """[(year, EnergyPlus's run of it)] of both, in the case's weather."""
     meters = {meter for parts in energies.values() for meter in parts}

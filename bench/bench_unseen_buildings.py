@@ -12,17 +12,13 @@ before that day. Prints what was found in each, its held-out errors by the hour 
 `new --idf` lacks (economizers, part-load curves, refrigerators), and cases named right. A case takes two to five
 minutes. Needs EnergyPlus and pyenergyplus-lbnl (tests/energyplus/reports.py) and ../shared.
 """
-import argparse
-import pathlib
 import sys
 
 import bench_energyplus_cases as made
 import bench_idf_loads as loads    # also finds idf and reports
-import large_job
 import numpy as np
 import pandas
 
-import idf        # noqa: E402
 import reports    # noqa: E402
 
 MODELS = {"rt": "Stand-aloneRetail", "sm": "StripMall", "qs": "QuickServiceRestaurant", "fr": "FullServiceRestaurant",
@@ -72,17 +68,10 @@ def errors_in_words(loop):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--only", nargs="*", metavar="CASE", choices=CASES, help=f"of {', '.join(CASES)}")
-    parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / "unseen_buildings")
-    options = parser.parse_args()
-    energyplus = idf.program()
-    if lacks := loads.reason_to_skip(energyplus):
-        print(f"skipped: {lacks}")
-        return loads.SKIPPED
+    energyplus, names, made_in = loads.asked(__doc__, CASES, "unseen_buildings")
     of_nulls, right = {}, {}
-    for name in options.only or CASES:
-        folder = options.folder.resolve() / name
+    for name in names:
+        folder = made_in / name
         folder.mkdir(parents=True, exist_ok=True)
         if not (folder / "readings.csv").exists():
             write_case(energyplus, name, CASES[name], folder)

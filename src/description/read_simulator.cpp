@@ -249,8 +249,7 @@ void read_periods_file(const schema::Section& simulator, CommandOptions& options
         simulator.fail("periods",
                        "is of runs that give hours; expected a "
                        "[[simulator.hourly]] for each meter");
-    options.periods_file = path.filename().string();
-    options.own_periods = path;
+    options.periods_file = path;
 }
 
 /// The words of the command; with a shell those that start it.

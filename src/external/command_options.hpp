@@ -35,10 +35,9 @@ struct CommandOptions {
     std::vector<std::filesystem::path> links;  ///< absolute paths
     std::string program;                       ///< absolute path
     std::vector<TextTemplate> arguments;       ///< the program's name first
-    /// One of the files: it is written for each run, with the periods that are asked for.
-    /// "" = the program is always run for all.
-    std::string periods_file;
-    std::filesystem::path own_periods;  ///< that file as it is, for runs without periods
+    /// Written for each run with the periods that are asked for; linked as it is where
+    /// none are. "" = the program is always run for all.
+    std::filesystem::path periods_file;
     double time_limit_s = 600;
     double output_limit = 1e9;  ///< of each file that is written [bytes]
     Keep keep = Keep::failed;

@@ -39,12 +39,10 @@ class CommandSimulator : public study::Simulator {
                   std::vector<std::string>& failures) const override {
         answers = Matrix(points.rows, outputs_.size(), nan);
         failures.assign(points.rows, {});
-        const Handed nothing{{}, placed(runner_.options().places, {}, 1).texts};
         for (std::size_t r = 0; r < points.rows; ++r)
-            failures[r] =
-                runner_.run(points.row(r), nothing, [&](const fs::path& folder) {
-                    return read_outputs(folder, answers.row(r));
-                });
+            failures[r] = runner_.run(points.row(r), {}, [&](const fs::path& folder) {
+                return read_outputs(folder, answers.row(r));
+            });
     }
 
   private:
@@ -91,8 +89,8 @@ class HourlyCommand : public study::HourlySimulator {
             n_hours += static_cast<std::size_t>(study::hours_of(period));
         Handed handed = handed_of(effects, n_hours, simulated);
         if (takes_periods())
-            handed.files.push_back(
-                {runner_.options().periods_file, text_of_periods(periods)});
+            handed.files.push_back({runner_.options().periods_file.filename().string(),
+                                    text_of_periods(periods)});
         simulated.failure = runner_.run(point, handed, [&](const fs::path& folder) {
             return read(folder, n_hours, simulated);
         });
@@ -137,7 +135,7 @@ class HourlyCommand : public study::HourlySimulator {
 }  // namespace
 
 std::shared_ptr<const study::Simulator> make_command_simulator(CommandOptions options) {
-    if (!options.own_periods.empty()) options.links.push_back(options.own_periods);
+    if (!options.periods_file.empty()) options.links.push_back(options.periods_file);
     return std::make_shared<CommandSimulator>(std::move(options));
 }
 

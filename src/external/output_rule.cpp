@@ -4,6 +4,8 @@
 /// commas, matches over several lines.
 #include "external/output_rule.hpp"
 
+#include "base/byte_order_mark.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -54,13 +56,6 @@ Words lines_of(std::string_view text) {
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
-}
-
-/// As Windows writes it before the first name.
-std::string_view without_byte_order_mark(std::string_view line) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (line.starts_with(mark)) line.remove_prefix(mark.size());
-    return line;
 }
 
 /// Of a file that is one column, whose name may hold blanks.

@@ -5,6 +5,7 @@
 /// by `csv_numbers`, times by `stamps`; gaps are found by `series`.
 #include "input/csv.hpp"
 
+#include "base/byte_order_mark.hpp"
 #include "base/error.hpp"
 #include "base/lower_case.hpp"
 #include "input/data_text.hpp"
@@ -77,7 +78,7 @@ struct Record {
 class Records {
   public:
     Records(std::string_view text, const CsvForm& form)
-        : rest_(without_mark(text)), form_(form) {}
+        : rest_(without_byte_order_mark(text)), form_(form) {}
 
     bool next(Record& record) {
         while (next_of_all(record)) {

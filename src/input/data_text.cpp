@@ -185,11 +185,6 @@ bool next_line(std::string_view& rest, std::string_view& line) {
     return true;
 }
 
-std::string_view without_mark(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    return text;
-}
-
 std::string_view trimmed(std::string_view text) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

@@ -20,9 +20,6 @@ std::string from_windows_1252(std::string_view text);
 /// where there is none.
 bool next_line(std::string_view& rest, std::string_view& line);
 
-/// Without the byte order mark of UTF-8.
-std::string_view without_mark(std::string_view text);
-
 inline bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }

@@ -6,6 +6,7 @@
 /// NaN, for `epw` to fill, but a missing 29 February repeats the 28th.
 #include "input/epw_table.hpp"
 
+#include "base/byte_order_mark.hpp"
 #include "base/error.hpp"
 #include "base/lower_case.hpp"
 #include "base/nan.hpp"
@@ -100,7 +101,7 @@ std::string shown(std::string_view text) {
 /// Hands out the lines of a text one by one.
 class Lines {
   public:
-    explicit Lines(std::string_view text) : rest_(without_mark(text)) {}
+    explicit Lines(std::string_view text) : rest_(without_byte_order_mark(text)) {}
     int number() const { return number_; }
     std::optional<Line> next() {
         std::string_view text;

@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace bemcal::job {
 namespace {
@@ -19,22 +23,27 @@ using schema::Entry, schema::Node;
 constexpr std::array<std::string_view, 9> how_a_night_runs = {
     "stock.budget",      "stock.hours",        "stock.drift_value",
     "stock.drift_error", "stock.keep_results", "stock.false_alarms",
-    "stock.table",       "max_failed_share",   "output.file"};
+    "stock.table",       "output.file",        "output.max_failed_share"};
 
+/// A table is what stands in it: one of such keys alone says nothing.
 void add(const Node& node, const std::string& path, Hasher& hasher) {
-    hasher.add(std::string_view(schema::name_of(node.kind)));
-    hasher.add(std::string_view(node.text));
-    hasher.add(std::span(&node.number, 1));
+    if (std::ranges::find(how_a_night_runs, path) != how_a_night_runs.end()) return;
+    if (node.kind != Node::Kind::table) {
+        hasher.add(std::string_view(path));
+        hasher.add(std::string_view(schema::name_of(node.kind)));
+        hasher.add(std::string_view(node.text));
+        hasher.add(std::span(&node.number, 1));
+    }
     std::vector<const Entry*> entries;
     entries.reserve(node.entries.size());
     for (const Entry& entry : node.entries) entries.push_back(&entry);
     if (node.kind == Node::Kind::table)
         std::ranges::sort(entries, {}, [](const Entry* entry) { return entry->key; });
-    for (const Entry* entry : entries) {
-        const std::string at = path.empty() ? entry->key : path + "." + entry->key;
-        if (std::ranges::find(how_a_night_runs, at) != how_a_night_runs.end()) continue;
-        hasher.add(std::string_view(entry->key));
-        add(entry->node, at, hasher);
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        const std::string& key = entries[k]->key;
+        const std::string own = key.empty() ? std::to_string(k) : key;
+        add(entries[k]->node, path.empty() ? own : fmt::format("{}.{}", path, own),
+            hasher);
     }
 }
 

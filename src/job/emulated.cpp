@@ -3,6 +3,8 @@
 /// A loop and a posterior have emulators of hours, and read their runs themselves.
 #include "job/emulated.hpp"
 
+#include "job/hourly_outputs.hpp"
+
 #include <fmt/format.h>
 
 namespace bemcal::job {
@@ -21,6 +23,10 @@ int read_runs(const StudySource& source) {
                                 "{} or more",
                                 n_parameters, n_parameters == 1 ? "" : "s", least));
     return runs;
+}
+
+void check_emulated(const StudyPlace& place, int n_runs) {
+    if (n_runs > 0) check_nominal(place, "an emulator knows the ranges alone");
 }
 
 Stages stages_of_simulator(const StudySpec& spec, const Job& job, int n_runs,

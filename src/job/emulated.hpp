@@ -15,6 +15,10 @@ inline constexpr schema::Key emulated_keys[] = {
 /// 0 where each point is a run.
 int read_runs(const StudySource& source);
 
+/// Of a study that asks at the nominal point, too: throws UserError where the emulator
+/// has no runs about it.
+void check_emulated(const StudyPlace& place, int n_runs);
+
 /// The study of the job's simulator, or of its emulator.
 Stages stages_of_simulator(const StudySpec& spec, const Job& job, int n_runs,
                            const study::StudyOf& study);

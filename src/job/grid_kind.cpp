@@ -6,7 +6,6 @@
 
 #include "description/words.hpp"
 #include "job/emulated.hpp"
-#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/names.hpp"
 
@@ -232,7 +231,7 @@ void check(const StudyPlace& place, StudySpec& study) {
         check_grids(place.section, options.grids,
                     {simulator->parameters(), "the simulator"});
         check_targets(place.section, targets, *simulator);
-        if (n_runs > 0) check_nominal(place, "an emulator knows the ranges alone");
+        check_emulated(place, n_runs);
         return;
     }
     for (const study::Case& building : place.job.buildings)

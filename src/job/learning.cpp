@@ -22,12 +22,19 @@ bool has_reading(const Case& building, const study::Period& period,
     return false;
 }
 
+void check_parameters(const schema::Section& section,
+                      const std::vector<std::string>& asked,
+                      const std::vector<physics::Parameter>& known,
+                      const std::string& what) {
+    const std::vector<std::string> names = description::names_of(known);
+    for (const std::string& parameter : asked)
+        description::check_word(section, "parameters", parameter, names, what);
+}
+
 void check_parameters(const schema::Section& section, const Learning& learning,
                       const Case& building) {
-    const std::vector<std::string> names = description::names_of(building.parameters);
-    for (const std::string& parameter : learning.parameters)
-        description::check_word(section, "parameters", parameter, names,
-                                "parameter of " + building.name);
+    check_parameters(section, learning.parameters, building.parameters,
+                     "parameter of " + building.name);
 }
 
 void check_meters(const schema::Section& section, const Learning& learning,

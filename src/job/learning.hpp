@@ -25,6 +25,11 @@ struct Learning {
     const std::vector<std::string>& parameters;  ///< empty = all
     const std::vector<std::string>& meters;      ///< empty = all with readings
 };
+/// Throws UserError where one that is asked for is not known: "x" is no `what`.
+void check_parameters(const schema::Section& section,
+                      const std::vector<std::string>& asked,
+                      const std::vector<physics::Parameter>& known,
+                      const std::string& what);
 /// Throw UserError where the building does not have them.
 void check_parameters(const schema::Section& section, const Learning& learning,
                       const study::Case& building);

@@ -4,10 +4,8 @@
 /// Targets are read by `read_targets`; objectives are in `meter_goal` and `target_goal`.
 #include "job/optimisation_kind.hpp"
 
-#include "description/words.hpp"
 #include "job/emulated.hpp"
 #include "job/fit_keys.hpp"
-#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
 #include "job/names.hpp"
@@ -117,13 +115,10 @@ void check(const StudyPlace& place, StudySpec& study) {
     const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
     const schema::Section& section = place.section;
     if (place.job.simulator) {
-        for (const std::string& name : options.parameters)
-            description::check_word(
-                section, "parameters", name,
-                description::names_of(place.job.simulator->parameters()),
-                "parameter of the simulator");
+        check_parameters(section, options.parameters, place.job.simulator->parameters(),
+                         "parameter of the simulator");
         check_targets(section, targets, *place.job.simulator);
-        if (n_runs > 0) check_nominal(place, "an emulator knows the ranges alone");
+        check_emulated(place, n_runs);
         return;
     }
     const bool is_of_meters = targets.empty();

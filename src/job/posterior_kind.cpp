@@ -174,10 +174,7 @@ void check_simulator(const StudyPlace& place, const PosteriorOptions& options) {
     if (options.pooling != Pooling::none)
         section.fail("pooling", "is of several buildings, and a [simulator] is one");
     const auto& parameters = place.job.hourly_simulator->parameters();
-    for (const std::string& parameter : options.parameters)
-        description::check_word(section, "parameters", parameter,
-                                description::names_of(parameters),
-                                "[[simulator.parameter]]");
+    check_parameters(section, options.parameters, parameters, "[[simulator.parameter]]");
     check_parameter_names(section, parameters,
                           taken_names(options, place.job.buildings[0]));
     check_meters(section, {options.period, options.parameters, options.meters},

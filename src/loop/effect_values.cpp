@@ -11,15 +11,13 @@
 #include "loop/intervals.hpp"
 #include "stats/distributions.hpp"
 #include "stats/normal_draws.hpp"
+#include "study/account_name.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace bemcal::loop {
 namespace {
@@ -85,7 +83,7 @@ std::optional<Account> weighed(const LoopData& data, const char* what, const cha
     }
     const auto is_used = [](double factor) { return factor != 0; };
     if (std::ranges::none_of(sum.per_reading, is_used)) return std::nullopt;
-    if (!is_of_all) sum.of += fmt::format(" of {} alone", fmt::join(of, ", "));
+    sum.of = study::account_name(what, of, is_of_all);
     return sum;
 }
 

@@ -176,20 +176,23 @@ class Writer {
     }
 
     void effects_found() {
-        const Standing& last = result_.last;
-        for (std::size_t k = 0; k < result_.found.size(); ++k)
-            effect_found(k, deviations_[last.built.first_effect() + k]);
+        for (std::size_t k = 0; k < result_.found.size(); ++k) effect_found(k);
         effect_values();
+    }
+
+    /// Of a coefficient, in its unit; hours are there or not.
+    double deviation(std::size_t effect) const {
+        const Standing& last = result_.last;
+        if (last.model.effects[effect].other_hours) return 0;
+        return deviation_of(result_.found[effect],
+                            deviations_[last.built.first_effect() + effect]);
     }
 
     void effect_values() {
         const Standing& last = result_.last;
         std::vector<double> sds = deviations_;
-        for (std::size_t k = 0; k < result_.found.size(); ++k) {
-            double& sd = sds[last.built.first_effect() + k];
-            if (!last.model.effects[k].other_hours)
-                sd = deviation_of(result_.found[k], sd);
-        }
+        for (std::size_t k = 0; k < result_.found.size(); ++k)
+            sds[last.built.first_effect() + k] = deviation(k);
         const auto accounts = accounts_of(data_);
         const auto worth = worth_of_effects(data_, result_.baseline.place, last, sds,
                                             result_.misfit, accounts);
@@ -200,12 +203,11 @@ class Writer {
                                                worth[k][a].least, worth[k][a].most});
     }
 
-    void effect_found(std::size_t k, double sd) {
+    void effect_found(std::size_t k) {
         const effects::Effect& effect = result_.last.model.effects[k];
         const Found& found = result_.found[k];
         const double c = result_.last.coefficient(k);
-        const double half =
-            effect.other_hours ? 0 : stats::z_90_two_sided * deviation_of(found, sd);
+        const double half = stats::z_90_two_sided * deviation(k);
         const effects::Entry* entry = effects::entry_of(effect);
         StoredLoop::Effect& stored = loop_.effects.emplace_back();
         stored.name = effect.name;

@@ -6,6 +6,7 @@
 
 #include "base/nan.hpp"
 #include "stats/quantile.hpp"
+#include "study/account_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,9 +108,8 @@ void add_account(const Account& account, const std::vector<Sold>& sold,
                 if (per_kwh[k] != 0) to[n] += per_kwh[k] * from[k];
         }
     savings.rows = std::move(rows);
-    savings.outputs.push_back(account.output);
-    if (!is_of_all)
-        savings.outputs.back().name += fmt::format(" of {} alone", fmt::join(of, ", "));
+    savings.outputs.push_back(
+        {study::account_name(account.output.name, of, is_of_all), account.output.unit});
 }
 
 void add_names(const Setting& setting, Savings& savings,

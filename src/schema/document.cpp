@@ -4,6 +4,7 @@
 /// What keys mean, their defaults and ranges are left to `schema` and `section`.
 #include "schema/document.hpp"
 
+#include "base/byte_order_mark.hpp"
 #include "base/error.hpp"
 
 #include <algorithm>
@@ -103,14 +104,10 @@ void check_ascii(std::string_view text, const std::string& file) {
             quote = 0;
             comment = false;
         } else if (!comment && quote == 0 && (static_cast<unsigned char>(c) > 127)) {
-            if (i == 0 && text.starts_with("\xEF\xBB\xBF"))
-                i += 2;  // a byte order mark
-            else
-                throw UserError(
-                    ExitCode::config,
-                    fmt::format("{}:{}: a letter beyond ASCII outside quotes; "
-                                "expected texts in \"quotes\"",
-                                file, line));
+            throw UserError(ExitCode::config,
+                            fmt::format("{}:{}: a letter beyond ASCII outside quotes; "
+                                        "expected texts in \"quotes\"",
+                                        file, line));
         } else if (quote == '"' && c == '\\') {
             ++i;
         } else if (quote != 0) {
@@ -138,8 +135,8 @@ std::string in_ascii(std::string_view text) {
 /// Parsed twice: what is wrong with the syntax is found in ASCII alone, since the parser
 /// looks letters up in that same table when it words an error.
 toml::table parse(std::string_view text, const std::string& file) {
+    text = without_byte_order_mark(text);
     check_ascii(text, file);
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     static_cast<void>(toml::parse(in_ascii(text), file));
     return toml::parse(text, file);
 }

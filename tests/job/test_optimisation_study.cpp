@@ -111,17 +111,16 @@ TEST(OptimisationStudy, GoesOnAnEmulatorAfterItHasBeenRead) {
     Job job = read_job(write_job(
         folder, "evaluations = 40\n[[study.target]]\nquantity = \"gas\"\nmeasured = 1"));
     job.simulator = std::make_shared<test::AnalyticSimulator>();
-    for (StudySpec& study : job.studies)
-        if (std::string_view(study.kind->word) == "optimisation") {
-            auto made = study.as<OptimisationStudy>();
-            made.n_runs = 14;
-            made.targets = {TargetSpec{}};
-            made.targets[0].simulator_output = job.simulator->outputs()[0].name;
-            made.targets[0].measured = {3};
-            study.options = made;
-            const auto stages = study.kind->stages(study, job);
-            EXPECT_GT(test::answers_of(*stages.at(0)).size(), 14U);
-        }
+    StudySpec& study = job.studies.back();
+    ASSERT_STREQ(study.kind->word, "optimisation");
+    auto made = study.as<OptimisationStudy>();
+    made.n_runs = 14;
+    made.targets = {TargetSpec{}};
+    made.targets[0].simulator_output = job.simulator->outputs()[0].name;
+    made.targets[0].measured = {3};
+    study.options = made;
+    const auto stages = study.kind->stages(study, job);
+    EXPECT_GT(test::answers_of(*stages.at(0)).size(), 14U);
 }
 
 TEST(OptimisationStudy, RefusesWhatCannotBeFitted) {

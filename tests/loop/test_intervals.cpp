@@ -60,6 +60,8 @@ TEST(LoopIntervals, TheModelsErrorCountsByWhatNoParameterCanDo) {
     const auto& unknowns = standing.built.unknowns;
     const double follows = 0.8 * sd / unknowns[effect].scale * unknowns[0].scale;
     EXPECT_NEAR(sds[0], follows, 1e-3 * follows);
+    standing.fit.at.x[effect] *= -1;
+    EXPECT_NEAR(deviations_of(model.data, standing, 1)[effect], sd, 1e-3 * sd);
 }
 
 TEST(LoopIntervals, WhatAddsToADeviationAddsInSquares) {

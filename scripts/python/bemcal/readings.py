@@ -103,7 +103,7 @@ def check_months(index: pd.DatetimeIndex, what: str) -> None:
                             "that begin on them")
 
 
-def check_weeks(index: pd.DatetimeIndex, what: str, stamp: "Any") -> None:
+def check_weeks(index: pd.DatetimeIndex, what: str, stamp: Optional[str]) -> None:
     """pandas' own weeks are called by their last day, which ends a day later."""
     if len(index) > 1 and (index[1:] - index[:-1]).min() == 7 * DAY and \
             (stamp is None or stamp == "end" and str(index.freqstr).startswith("W-")):
