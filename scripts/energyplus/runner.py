@@ -19,6 +19,7 @@ from energyplus.failed import Failed, read_text
 RUN, HOURS_FILE, LEFT_OUT = "run.json", "hours.csv", "effects_left_out.txt"
 KEYS = {"model": str, "weather": list, "periods": str, "meters": list, "parameters": dict}
 MORE = {"energyplus": str, "rows": list, "plant": dict, "schedules": dict}
+WORDS = {str: "text", list: "list", dict: "object"}       # of JSON
 SCHEMA = "Energy+.schema.epJSON"
 KEPT = ("eplusout.err",)       # of what EnergyPlus writes
 FILES = ("Schedule:File", "Schedule:File:Shading")
@@ -37,13 +38,14 @@ def read_run(path):
         if key in MORE and key not in given:
             given[key] = kind()
         if not isinstance(given.get(key), kind):
-            raise Failed(f"{path}: {key}: is {given.get(key)!r}; expected a {kind.__name__}")
+            found = repr(given[key]) if key in given else "missing"
+            raise Failed(f"{path}: {key}: is {found}; expected {'an' if kind is dict else 'a'} {WORDS[kind]}")
     for key in given:
         if key not in KEYS and key not in MORE:
             raise Failed(f"{path}: {key}: is not known; expected one of {', '.join([*KEYS, *MORE])}")
     for key, kind in (("weather", str), ("rows", dict)):
         if not all(isinstance(each, kind) for each in given[key]):
-            raise Failed(f"{path}: {key}: is {given[key]!r}; expected a list of {kind.__name__}")
+            raise Failed(f"{path}: {key}: is {given[key]!r}; expected a list of {WORDS[kind]}s")
     if not all(isinstance(each, dict) and isinstance(each.get("span", 1), (int, float))
                for each in given["schedules"].values()):
         raise Failed(f"{path}: schedules: expected {{schedule: {{hook, span}}}}")

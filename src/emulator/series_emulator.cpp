@@ -48,6 +48,50 @@ void check_scales(const Matrix& points, std::span<const double> weights) {
     refuse_if(most == 0, "all weights are 0: no number of the series is of interest");
 }
 
+void check_channels(std::span<const ChannelRange> channels, std::size_t n) {
+    std::size_t end = 0;
+    for (const ChannelRange& channel : channels) {
+        refuse_if(channel.first != end || channel.size == 0 || channel.size > n - end,
+                  "a channel of {} numbers from {} on: expected one from {} on, in a "
+                  "series of {}",
+                  channel.size, channel.first, end, n);
+        end += channel.size;
+    }
+    refuse_if(!channels.empty() && end != n, "channels of {} numbers, in a series of {}",
+              end, n);
+}
+
+Matrix columns_of(const Matrix& series, const ChannelRange& channel) {
+    Matrix made(series.rows, channel.size);
+    for (std::size_t i = 0; i < series.rows; ++i)
+        std::ranges::copy(series.row(i).subspan(channel.first, channel.size),
+                          made.row(i).begin());
+    return made;
+}
+
+/// All 1 where none is above 0: its runs are to be learned all the same.
+std::vector<double> weights_within(std::span<const double> weights,
+                                   const ChannelRange& channel) {
+    const auto own = weights.subspan(channel.first, channel.size);
+    if (std::ranges::all_of(own, [](double weight) { return weight == 0; }))
+        return std::vector<double>(channel.size, 1.0);
+    return {own.begin(), own.end()};
+}
+
+/// A channel's components beside others, 0 outside it.
+void join(const SeriesComponents& own, std::size_t first, SeriesComponents& all) {
+    const auto at = static_cast<std::ptrdiff_t>(first);
+    std::ranges::copy(own.mean, all.mean.begin() + at);
+    for (std::size_t i = 0; i < own.remainder.rows; ++i)
+        std::ranges::copy(own.remainder.row(i), all.remainder.row(i).begin() + at);
+    for (std::size_t c = 0; c < own.components.rows; ++c) {
+        std::vector<double> component(all.mean.size());
+        std::ranges::copy(own.components.row(c), component.begin() + at);
+        all.components.add_row(component);
+        all.scores.add_row(own.scores.row(c));
+    }
+}
+
 /// Rows [first, last).
 Matrix some_rows(const Matrix& matrix, std::size_t first, std::size_t last) {
     Matrix made(last - first, matrix.cols);
@@ -73,16 +117,34 @@ std::vector<ScoreScales> scales_of(const Matrix& points, const Matrix& scores) {
 }  // namespace
 
 SeriesEmulator::SeriesEmulator(const Matrix& points, Matrix series,
-                               std::span<const double> weights, double share)
+                               std::span<const double> weights, double share,
+                               std::span<const ChannelRange> channels)
     : points_(points) {
     check_series_runs(points, series, weights);
     check_scales(points, weights);
-    parts_ = components_of(std::move(series), weights, share);
-    const std::vector<ScoreScales> scales = scales_of(points, parts_.scores);
-    const std::vector<double> factors = variance_factors(points, parts_.gram, scales);
-    processes_.reserve(scales.size());
+    check_channels(channels, series.cols);
+    if (channels.empty()) {
+        parts_ = components_of(std::move(series), weights, share);
+        learn(parts_);
+        return;
+    }
+    parts_.mean.resize(series.cols);
+    parts_.components = Matrix(0, series.cols);
+    parts_.scores = Matrix(0, series.rows);
+    parts_.remainder = Matrix(series.rows, series.cols);
+    for (const ChannelRange& channel : channels) {
+        const auto own = components_of(columns_of(series, channel),
+                                       weights_within(weights, channel), share);
+        learn(own);
+        join(own, channel.first, parts_);
+    }
+}
+
+void SeriesEmulator::learn(const SeriesComponents& parts) {
+    const std::vector<ScoreScales> scales = scales_of(points_, parts.scores);
+    const std::vector<double> factors = variance_factors(points_, parts.gram, scales);
     for (std::size_t c = 0; c < scales.size(); ++c) {
-        processes_.emplace_back(points, std::as_const(parts_.scores).row(c), scales[c]);
+        processes_.emplace_back(points_, parts.scores.row(c), scales[c]);
         processes_.back().multiply_variance(factors[c]);
     }
 }

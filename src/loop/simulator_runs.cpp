@@ -130,7 +130,8 @@ emulator::SeriesEmulator RunsSoFar::emulator_of(
             points(r, p + k) = run.scales[fitted[k]] / largest_scale;
         std::ranges::copy(readings_[used[r]], series.row(r).begin());
     }
-    return {points, std::move(series), weights};
+    return {points, std::move(series), weights, emulator::usual_share,
+            ranges_of(data_.targets)};
 }
 
 NextRuns RunsSoFar::next(std::size_t n, const KeptEffects& kept,

@@ -299,6 +299,60 @@ TEST(SeriesEmulator, ThePointTwiceIsTakenAsItsMean) {
     EXPECT_NEAR(told, (series(4, 0) + series(9, 0)) / 2, 0.01 * series(4, 0));
 }
 
+const ChannelRange two_meters[] = {{0, n_hours}, {n_hours, n_hours}};
+
+/// The first meter is made rough: the noise of a simulator that the parameters do not
+/// explain.
+TEST(SeriesEmulator, AChannelWithComponentsOfItsOwnIsNotBentByAnother) {
+    Matrix series = simulated(design(40));
+    Stream random(5, 0, 0);
+    for (std::size_t i = 0; i < 40; ++i)
+        for (std::size_t j = 0; j < n_hours; ++j)
+            series(i, j) += 20 * (random.uniform() - 0.5);
+    const auto weights = reading_weights();
+    const SeriesEmulator together(design(40), series, weights),
+        each(design(40), series, weights, usual_share, two_meters);
+    const Matrix points = design(200, 4, 77);
+    EXPECT_LT(cv_rmse_at(each, points)[1], 0.5 * cv_rmse_at(together, points)[1]);
+    const SeriesEmulator alone(design(40), simulated(design(40)), weights, usual_share,
+                               two_meters);
+    EXPECT_NEAR(cv_rmse_at(each, points)[1], cv_rmse_at(alone, points)[1], 1e-9);
+}
+
+TEST(SeriesEmulator, ComponentsOfAChannelAreZeroOutsideIt) {
+    std::vector<double> weights = reading_weights();
+    std::fill(weights.begin(), weights.begin() + n_hours, 0.0);  // no reading at all
+    const SeriesEmulator emulator(design(40), simulated(design(40)), weights, usual_share,
+                                  two_meters);
+    const Matrix& components = emulator.parts().components;
+    ASSERT_EQ(components.rows, emulator.n_components());
+    for (std::size_t c = 0; c < components.rows; ++c)
+        EXPECT_NE(norm_of(components.row(c).first(n_hours)) > 0,
+                  norm_of(components.row(c).last(n_hours)) > 0);
+    for (const double error : cv_rmse_at(emulator, design(50, 4, 77)))
+        EXPECT_LT(error, 3);
+    expect_finite(emulator, std::vector<double>{0.3, 0.62, 0.45, 0.81});
+}
+
+TEST(SeriesEmulator, ChannelsAreRefusedThatAreNotTheWholeSeries) {
+    const Matrix points = design(4), series = simulated(points);
+    const auto refused = [&](const std::vector<ChannelRange>& channels) {
+        try {
+            SeriesEmulator(points, series, reading_weights(), usual_share, channels);
+        } catch (const std::invalid_argument& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(refused({{0, 500}}), "channels of 500 numbers, in a series of 1000");
+    EXPECT_EQ(refused({{0, 500}, {400, 600}}),
+              "a channel of 600 numbers from 400 on: expected one from 500 on, in a "
+              "series of 1000");
+    EXPECT_EQ(refused({{0, 1001}}),
+              "a channel of 1001 numbers from 0 on: expected one from 0 on, in a series "
+              "of 1000");
+}
+
 TEST(SeriesEmulator, WhatCannotBeEmulatedIsRefusedWithItsPlace) {
     const std::vector<double> weights = reading_weights();
     const Matrix points = design(4), series = simulated(points);

@@ -239,8 +239,8 @@ class Runs(unittest.TestCase):
                               ({"meters": [{"name": "x"}]}, ["meters", "quantity"]),
                               ({"parameters": {"colour": 1}}, ["colour", "expected one of infiltration"]),
                               ({"parameters": {"lights": "x"}}, ["lights", "no number"]),
-                              ({"periods": "none.csv"}, ["none.csv"]), ({"model": 3}, ["model", "str"]),
-                              ({"weather": [1]}, ["weather", "list of str"]), ({"rows": ["x"]}, ["rows"]),
+                              ({"periods": "none.csv"}, ["none.csv"]), ({"model": 3}, ["model", "text"]),
+                              ({"weather": [1]}, ["weather", "list of texts"]), ({"rows": ["x"]}, ["rows"]),
                               ({"schedules": {"a": 1}}, ["schedules", "span"]),
                               ({"meters": [{"name": "x", "quantity": "cooling"}]}, ["x", "uses no cooling"])):
             with self.subTest(change):
