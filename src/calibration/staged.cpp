@@ -32,6 +32,24 @@ void add_new(const std::vector<std::string>& some, std::vector<std::string>& all
         if (!is_in(all, name)) all.push_back(name);
 }
 
+/// Meters of all stages; all with readings where one has these. Their weights where the
+/// stages agree on them.
+void take_meters(const std::vector<CalibrationStage>& stages, OptimisationOptions& fit) {
+    const OptimisationOptions& first = stages.front().fit;
+    const auto agrees = [&](const CalibrationStage& stage) {
+        return stage.fit.meters == first.meters &&
+               stage.fit.meter_weights == first.meter_weights;
+    };
+    if (std::ranges::all_of(stages, agrees)) return;
+    fit.meters.clear();
+    fit.meter_weights.clear();
+    for (const CalibrationStage& stage : stages) add_new(stage.fit.meters, fit.meters);
+    const auto has_all = [](const CalibrationStage& stage) {
+        return stage.fit.meters.empty();
+    };
+    if (std::ranges::any_of(stages, has_all)) fit.meters.clear();
+}
+
 /// All that the stages do, as one stage.
 CalibrationStage at_once_stage(const StagedOptions& options) {
     CalibrationStage all = options.stages.front();
@@ -40,8 +58,11 @@ CalibrationStage at_once_stage(const StagedOptions& options) {
     all.around = 0;
     all.ranges.clear();
     all.set.clear();
+    take_meters(options.stages, all.fit);
     std::size_t n = 0;
     for (const CalibrationStage& stage : options.stages) {
+        if (stage.fit.objective != all.fit.objective)
+            all.fit.objective = options.objective;
         add_new(stage.periods, all.periods);
         add_new(stage.parameters, all.parameters);
         n += stage.fit.evaluations;
@@ -402,12 +423,13 @@ void StagedCalibration::add_comparisons(const StagedPath& path,
 /// What the last stage ends with, over the periods and meters of all of them.
 study::Summary StagedCalibration::summary_of(const StagedPath& path) const {
     std::vector<std::string> biases;
+    const auto& last = path.found().at(options_.stages.size() - 1);
     for (std::size_t s = 0; s < options_.stages.size(); ++s)
         for (const std::string& name : stages_[s].periods) {
             const auto period = static_cast<std::size_t>(&exact_period(building_, name) -
                                                          building_.periods.data());
-            const auto fits = models_.at(name)->fits_at(path.found().back().value, period,
-                                                        goals_[s].meters());
+            const auto fits =
+                models_.at(name)->fits_at(last.value, period, goals_[s].meters());
             const std::string bias = study::bias_beyond(building_, period, fits);
             if (std::ranges::find(biases, bias) == biases.end()) biases.push_back(bias);
         }

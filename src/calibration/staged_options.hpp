@@ -51,8 +51,9 @@ struct StagedOptions {
     /// periods, from the initial values; evaluations, 0 = those of all stages together.
     bool at_once = true;
     std::size_t at_once_evaluations = 0;
-    int simulator_runs = 80;  ///< of another program, where there is one
-    double accuracy = 0.35;   ///< of the sensor [unit of the meter]
+    Objective objective = Objective::percent;  ///< of at_once, where stages' differ
+    int simulator_runs = 80;                   ///< of another program, where there is one
+    double accuracy = 0.35;                    ///< of the sensor [unit of the meter]
     /// Studies above whose best point (of a posterior the mean) is judged, too.
     std::vector<std::string> beside;
 };

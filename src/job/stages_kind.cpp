@@ -207,9 +207,22 @@ void check_names_of_stage(const schema::Section& stage, const BuildingNames& nam
         [&] { check_meters(stage, "meters", words("meters"), names); });
 }
 
+void check_beside(const NamePlace& place) {
+    const schema::Section& section = place.section;
+    if (section.is_lost("study") ||
+        std::ranges::count(place.above, "", &NamedStudy::name) > 0)
+        return;
+    for (const std::string& name : words_at(section.root(), "beside"))
+        if (std::ranges::find(place.above, name, &NamedStudy::name) == place.above.end())
+            section.fail("beside", fmt::format("no study above has the name \"{}\"; "
+                                               "expected that of one",
+                                               name));
+}
+
 void check_names(const NamePlace& place) {
     const schema::Section& section = place.section;
     section.attempt_all(
+        [&] { check_beside(place); },
         [&] {
             section.attempt_each(section.tables("stage", "study.stage"),
                                  [&](const schema::Section& stage) {
@@ -276,6 +289,7 @@ void read(const StudySource& source, StudySpec& study) {
     if (section.has("at_once_evaluations"))
         options.at_once_evaluations =
             static_cast<std::size_t>(section.integer("at_once_evaluations"));
+    options.objective = section.choice_as<calibration::Objective>("objective");
     options.accuracy = section.number("accuracy");
     options.beside = section.texts("beside");
     options.simulator_runs = static_cast<int>(section.integer("runs"));

@@ -99,6 +99,39 @@ TEST(Staged, FindsAtOnceWhatMadeTheReadings) {
     }
 }
 
+/// Gas of the one, temperatures of the other: in whichever order, all at once is both.
+TEST(Staged, AllAtOnceFitsTheMetersOfAllStages) {
+    auto options = two_stages();
+    for (auto& each : options.stages) each.parameters = {air, glass, set_point};
+    options.stages[0].periods = options.stages[1].periods = {"training"};
+    options.stages[0].fit.meters = {"gas"};
+    options.stages[1].fit.meters = {"air_temperature"};
+    const auto values = [&] {
+        const auto datasets =
+            run(*calibration::make_staged("s", measured_case(), options));
+        const Dataset& value = find(datasets, "calibration_value");
+        return std::vector<double>{at(value, 2, 0), at(value, 2, 1), at(value, 2, 2)};
+    };
+    const auto one = values();
+    std::swap(options.stages[0].fit.meters, options.stages[1].fit.meters);
+    const auto other = values();
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(one[k], truth[k], 0.02) << k;
+        EXPECT_NEAR(other[k], truth[k], 0.02) << k;
+    }
+}
+
+/// What ends is the last stage, not what all at once would have found.
+TEST(Staged, IsJudgedByItsLastStage) {
+    auto options = two_stages();
+    for (auto& each : options.stages) each.parameters = {air, glass, set_point};
+    options.at_once_evaluations = 1;
+    const auto staged = calibration::make_staged("s", measured_case(), options);
+    const auto conclusion = staged->conclude(answers_of(*staged));
+    EXPECT_EQ(conclusion.summaries.at(0).shortfall.find("the bias of"), std::string::npos)
+        << conclusion.summaries.at(0).shortfall;
+}
+
 /// Heat of one period that no point reaches, told once however many stages take it.
 TEST(Staged, ThatEndsWithABiasBeyondTheGuidelineFallsShort) {
     Case made = measured_case();

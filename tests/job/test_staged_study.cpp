@@ -29,7 +29,7 @@ TEST(StagedStudy, TakesEveryKey) {
     const Job job = read_job(write_job(
         folder,
         "meters = [\"air\"]\nmeter_weights = [2]\nobjective = \"rmsd\"\naccuracy = 0.2\n"
-        "evaluations = 300\nn_particles = 12\nrestart = false\nbeside = [\"belief\"]\n"
+        "evaluations = 300\nn_particles = 12\nrestart = false\nbeside = [\"sensitivity\"]\n"
         "at_once_evaluations = 77\n" +
             std::string(envelope) +
             "[[study.stage]]\nname = \"again\"\nperiods = [\"training\"]\n"
@@ -62,7 +62,7 @@ TEST(StagedStudy, TakesEveryKey) {
     EXPECT_EQ(second.fit.objective, calibration::Objective::percent);
     ASSERT_EQ(options.validation.size(), 1U);
     EXPECT_EQ(options.validation[0].stage, "envelope");
-    EXPECT_EQ(options.beside, Texts{"belief"});
+    EXPECT_EQ(options.beside, Texts{"sensitivity"});
     EXPECT_EQ(options.at_once_evaluations, 77U);
     EXPECT_EQ(options.accuracy, 0.2);
     EXPECT_NE(plan::plan_text(job, 1).find("427"), std::string::npos);
