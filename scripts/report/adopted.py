@@ -98,7 +98,7 @@ def append(job, section, found, comment):
 
 
 OF_STRUCTURE = "of the structure that the loop chose"
-STRIKES = "; to strike it, set it to 0 here and strike its parameter, as structure brings it without this section"
+STRIKES = "; to strike it, set its coefficient to 0 and strike its parameter: without this section structure brings it"
 
 
 def adopt_sections(section, comment, job):

@@ -80,8 +80,9 @@ physics::Building read_building(const Sources& sources,
 /// `structure`: what its refinements change of the building as described. Their effects
 /// are read_effects', their numbers the next one's.
 void read_structure(const Sources& sources, study::Case& building);
-/// What the job's own parameters leave of the structure's numbers, as parameters.
-void add_parameters_of_structure(study::Case& building);
+/// The structure's numbers as parameters: those that the job's own parameters leave, and
+/// that it does not write.
+void add_parameters_of_structure(const Sources& sources, study::Case& building);
 
 /// [[link]], into the building, and all that follows from its numbers.
 void read_links(const Sources& sources, physics::Building& building);

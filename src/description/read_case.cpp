@@ -127,7 +127,7 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     else
         sources.skip({"parameter"});
     if (is_whole()) {
-        add_parameters_of_structure(building);
+        add_parameters_of_structure(sources, building);
         sources.attempt([&] { check_loads(sources, building); });
     } else if (sources.has("structure"))
         own.mistakes()->lose("parameter");  // it brings some that no section names

@@ -47,6 +47,27 @@ void add_parameter(physics::Parameter parameter, double mean, double sd,
     building.parameters.push_back(std::move(parameter));
 }
 
+/// Whether a section has the number at such a path: "zone.*.room_spread.low",
+/// "plant.heating_auxiliary".
+bool is_written(const Sources& sources, std::string_view path) {
+    const auto dot = path.find('.');
+    const std::string part(path.substr(0, dot));
+    std::string_view key = path.substr(dot + 1);
+    const bool is_list = key.starts_with("*.");
+    if (is_list) key.remove_prefix(2);
+    key = key.substr(0, key.find('.'));
+    const auto has_it = [&](const schema::Section& section) { return section.has(key); };
+    const schema::Section& from = sources.with(part);
+    if (is_list) return std::ranges::any_of(from.tables(part, part.c_str()), has_it);
+    return part == "plant" && from.has(part) && has_it(from.table(part, "plant"));
+}
+
+bool has_section(const Sources& sources, const std::string& effect) {
+    return std::ranges::any_of(
+        sources.with("effect").tables("effect", "effect"),
+        [&](const schema::Section& each) { return each.text("name") == effect; });
+}
+
 /// Unless a parameter of the job leads to its coefficient.
 void add_coefficient(const Refinement::Always& always, study::Case& building) {
     const auto& all = building.building.effects;
@@ -74,14 +95,17 @@ void read_structure(const Sources& sources, study::Case& building) {
         add(section, refinement_named(section, name), building);
 }
 
-void add_parameters_of_structure(study::Case& building) {
+void add_parameters_of_structure(const Sources& sources, study::Case& building) {
     for (const std::size_t index : building.structure) {
-        for (const Refinement::Number& number : refinements()[index].numbers)
+        for (const Refinement::Number& number : refinements()[index].numbers) {
+            if (is_written(sources, number.path)) continue;
             if (auto parameter =
                     effects::add_number(number, building.parameters, building.building))
                 add_parameter(std::move(*parameter), number.mean, number.sd, building);
+        }
         for (const Refinement::Always& always : refinements()[index].effects)
-            add_coefficient(always, building);
+            if (!has_section(sources, always.effect.name))
+                add_coefficient(always, building);
     }
     physics::derive(building.building);
 }
