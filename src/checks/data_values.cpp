@@ -206,11 +206,12 @@ double over_full(double from, double to, double most) {
     return from >= nearly_full * full && use <= most ? use : 0;
 }
 
-/// From one count to a lower one.
+/// From one count to a lower one. What was used before it started again is known where it
+/// has counted since: one that stands at 0 has lost the use of the step.
 double over_a_fall(double from, double to, double most) {
     if (!starts_anew(from, to)) return nan;
     const double use = over_full(from, to, most);
-    return use > 0 ? use : to;
+    return use > 0 ? use : to > 0 ? to : nan;
 }
 
 /// The largest use past a full number; 0 of a register that starts again every day.

@@ -73,7 +73,9 @@ class MeterReader {
                 unit_of(section_, meter_.quantity);
             },
             [&] { meter_.interval = section_.choice_as<Interval>("interval"); },
-            [&] { read_corrections(); }, [&] { read_column(); });
+            [&] { section_.number_if("tariff", meter_.tariff); },
+            [&] { section_.number_if("co2", meter_.co2); }, [&] { read_corrections(); },
+            [&] { read_column(); });
     }
 
     Meter read() {
@@ -428,8 +430,6 @@ class MeterReader {
     void convert(input::RegularSeries& series) {
         const input::Unit& unit = unit_of(section_, meter_.quantity);
         meter_.unit = unit.name;
-        section_.number_if("tariff", meter_.tariff);
-        section_.number_if("co2", meter_.co2);
         meter_.row_s = series.axis.step_s;
         const double hours =
             unit.kind == input::UnitKind::power ? series.axis.step_s / 3600.0 : 1;

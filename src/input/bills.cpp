@@ -118,13 +118,13 @@ int months_of_each(const std::vector<Bill>& months) {
 }
 
 /// One row for each interval of the calendar.
-std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
+std::optional<std::vector<Bill>> on_calendar(const std::vector<Seconds>& stamps,
                                              const std::vector<double>& values,
                                              Interval interval, bool at_end) {
     constexpr seconds slack{36 * 3600};
     std::vector<Bill> bills;
     for (std::size_t row = 0; row < values.size(); ++row) {
-        const Seconds stamp = stamps.begins[row];
+        const Seconds stamp = stamps[row];
         const Seconds begin = interval_begin(stamp, interval);
         const Seconds end = next_interval(begin, interval);
         if ((at_end ? end - stamp : stamp - begin) > slack) return std::nullopt;
@@ -132,6 +132,15 @@ std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
         bills.push_back({begin, end, values[row], false, row});
     }
     return bills;
+}
+
+/// The same of begins, by the site's clock or as they stand there: the first of a month
+/// by a clock that is ahead of the site's is the last of the month before.
+std::optional<std::vector<Bill>> begun_on_calendar(const Stamps& stamps,
+                                                   const std::vector<double>& values,
+                                                   Interval interval) {
+    auto bills = on_calendar(stamps.begins, values, interval, false);
+    return bills ? std::move(bills) : on_calendar(stamps.faces, values, interval, false);
 }
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
@@ -218,8 +227,9 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
         return interval == Interval::monthly ? months_of_each(bills) : 1;
     };
     if (stamps.at_end || is_said) {
-        auto bills = on_calendar(stamps, values, interval, stamps.at_end);
-        if (!bills || !stamps.at_end) return bills;
+        if (!stamps.at_end) return begun_on_calendar(stamps, values, interval);
+        auto bills = on_calendar(stamps.begins, values, interval, true);
+        if (!bills) return bills;
         const int n = months_each(*bills);
         if (n == 1) return bills;
         notes.push_back(
@@ -227,14 +237,14 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
         for (Bill& bill : *bills) bill.from = months_later(bill.from, 1 - n, false);
         return bills;
     }
-    if (auto bills = on_calendar(stamps, values, interval, false)) {
+    if (auto bills = begun_on_calendar(stamps, values, interval)) {
         const int n = months_each(*bills);
         if (n == 1) return bills;
         notes.push_back({fmt::format("its rows begin {} months apart", n),
                          "each read as of as many; stamp = \"start\" makes them months"});
         return std::nullopt;
     }
-    auto bills = on_calendar(stamps, values, interval, true);
+    auto bills = on_calendar(stamps.begins, values, interval, true);
     if (bills && months_each(*bills) > 1) return std::nullopt;
     if (bills)
         notes.push_back({fmt::format("its stamps are the last days of {}",

@@ -70,6 +70,8 @@ class Reader {
         }
         found_.at_end = rules_.at_end;
         found_.begins = std::move(times);
+        found_.faces.reserve(raw_.size());
+        for (const Stamp& stamp : raw_) found_.faces.push_back(stamp.face);
         return std::move(found_);
     }
 

@@ -38,6 +38,7 @@ struct TimeNote {
 
 struct Stamps {
     std::vector<physics::Seconds> begins;  ///< [n_rows] increasing, local standard time
+    std::vector<physics::Seconds> faces;   ///< [n_rows] as they stand there
     int step_s = 3600;                     ///< the commonest distance [s]
     std::vector<int> steps;   ///< [n_rows] where the distance changes; else empty [s]
     bool at_end = false;      ///< as said, or as found

@@ -111,6 +111,14 @@ struct StepRows {
             if (!is_near(row, offset)) return false;
         return true;
     }
+    /// Days that all begin at the same full hour: by another clock, or those of gas.
+    bool are_days_of_an_hour() const {
+        const long long hour = phase_of(times[first], step_s);
+        if (step_s != day_s || hour % 3600 != 0) return false;
+        for (std::size_t row = first; row < last; ++row)
+            if (beside(row, hour) != 0) return false;
+        return true;
+    }
     long long commonest_phase() const {
         std::map<long long, int> counts;
         for (std::size_t row = first; row < last; ++row)
@@ -155,6 +163,10 @@ Phase settle(std::vector<Seconds>& times, std::size_t first, std::size_t last,
     Phase phase;
     if (first >= last || step_s <= 0 || day_s % step_s != 0) return phase;
     const StepRows rows{times, first, last, step_s};
+    if (rows.are_days_of_an_hour()) {
+        phase.offset_s = phase_of(times[first], step_s);
+        return phase;
+    }
     if (!rows.are_near(0)) phase.offset_s = rows.commonest_phase();
     if (part_of_step * std::abs(apart(phase.offset_s, 0, step_s)) <= step_s)
         phase.offset_s = 0;

@@ -196,6 +196,24 @@ TEST(Bills, EstimatedReadsAreMergedWithTheNextThatWasRead) {
     EXPECT_THROW(read("t,x,how\n2021-01-01,10,perhaps\n", {"", "", "how"}), UserError);
 }
 
+// The first of a month there is the last of the month before at the site.
+TEST(Bills, OfTheCalendarByAClockAheadOfTheSiteAreKnown) {
+    const std::string text = "t,x\n2021-01-01,1\n2021-02-01,2\n2021-03-01,3\n";
+    const Csv csv = parse_csv(text, "x.csv");
+    for (const double ahead : {-9.0, 1.0, 8.0}) {
+        StampRules rules;
+        rules.file_offset_h = ahead;
+        rules.is_said = false;
+        std::vector<TimeNote> notes;
+        const auto bills = bills_by_calendar(stamps_in(csv, 0, rules), {1, 2, 3},
+                                             Interval::monthly, false, notes);
+        ASSERT_TRUE(bills) << ahead;
+        EXPECT_EQ(bills->front().from, physics::parse_time("2021-01-01"));
+        EXPECT_EQ(bills->back().to, physics::parse_time("2021-04-01"));
+        EXPECT_TRUE(notes.empty());
+    }
+}
+
 TEST(Bills, OfTheCalendarAreKnown) {
     std::vector<TimeNote> notes;
     const std::string text = "t,x\n2021-01-01,1\n2021-02-01,2\n";

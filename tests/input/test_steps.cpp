@@ -76,6 +76,20 @@ TEST(Steps, EndsOneSecondOrOneMinuteEarlyAreTheEndsOfTheirHours) {
     EXPECT_TRUE(series.gaps.empty());
 }
 
+// Days of UTC at a site an hour or two off: not beside midnight, they begin there.
+TEST(Steps, DaysThatAllBeginAtAFullHourBeginThere) {
+    constexpr int hour = 3600, day = 24 * hour;
+    for (const int late : {hour, 2 * hour, 23 * hour}) {
+        Stamps found;
+        const RegularSeries series = series_at(even(late, day, 9), {}, Fold::sum, &found);
+        EXPECT_EQ(series.axis.start, start + seconds(late));
+        EXPECT_TRUE(found.notes.empty());
+    }
+    std::vector<int> wall = even(0, day, 9);
+    wall[4] += hour;  // one day by another clock is moved
+    EXPECT_EQ(series_at(wall).axis.start, start);
+}
+
 TEST(Steps, ARowFarBesideItsStepIsRefused) {
     std::vector<int> at = even(0, 3600, 30);
     at[7] += 600;
