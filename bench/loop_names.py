@@ -154,7 +154,7 @@ RIGHT = {
     "oversized_plant": named(parameter="heating_capacity"),
     "undersized_plant": named(parameter="heating_capacity"),
     # outside the catalogue
-    "tenant_change": named("tenants move in or out"),
+    "tenant_change": named("tenants move in or out", "use at all hours changed", "equipment added or removed"),
     "frozen_valve": named(),
     "snow": named("snow, albedo or dirt"),
     "sensor_drift": named(),

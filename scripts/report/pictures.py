@@ -263,7 +263,7 @@ def function(one, begin):
     figure, axes = theme.figure(2.5, ncols=2, sharey=True) if is_map else theme.figure(2.4)
     if is_map:
         by_hour_and_more(figure, axes, points, one)
-    elif one.driver == "hour of the week":
+    elif one.driver.startswith("hour of the week"):
         by_hour(axes, points)
     elif one.driver == "time":
         of_time(axes, points, begin)

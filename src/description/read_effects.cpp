@@ -53,7 +53,8 @@ functions::Points points_of(const Section& section, const std::string& driver,
                             std::size_t n_values) {
     functions::Points points{effects::points_of_driver(driver)};
     points.n_fortnights = n_values;
-    const bool has_knots = points.kind == functions::Points::Kind::knots ||
+    const bool has_day = points.kind == functions::Points::Kind::hours_from;
+    const bool has_knots = has_day || points.kind == functions::Points::Kind::knots ||
                            points.kind == functions::Points::Kind::hours_at_knots;
     if (!has_knots) {
         if (section.has("at"))
@@ -64,6 +65,14 @@ functions::Points points_of(const Section& section, const std::string& driver,
         return points;
     }
     points.knots = section.numbers("at");
+    if (has_day) {
+        if (points.knots.size() != 1)
+            section.fail("at",
+                         fmt::format("expected one number: the years from the first day "
+                                     "of training to the first day of \"{}\"",
+                                     driver));
+        return points;
+    }
     if (points.knots.size() < 2 ||
         std::ranges::adjacent_find(points.knots, std::greater_equal<>()) !=
             points.knots.end())

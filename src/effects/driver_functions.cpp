@@ -57,7 +57,6 @@ Series hours_of_two_days(Series hours_of_week) {
 }
 
 Series years_of(const Surroundings& around) {
-    constexpr double seconds_of_year = 365.25 * physics::day_s;
     const physics::TimeAxis& axis = around.drive->axis;
     Series years;
     years.reserve(static_cast<std::size_t>(axis.n_steps));
@@ -78,6 +77,7 @@ struct DriverOfFunctions {
 constexpr DriverOfFunctions rows[] = {
     {"one", Points::Kind::one},
     {"hour of the week", Points::Kind::hours},
+    {"hour of the week from a day on", Points::Kind::hours_from},
     {"outdoor temperature", Points::Kind::knots, Driver::theta_e},
     {"outdoor temperature of three days", Points::Kind::knots, Driver::theta_e, 72},
     {"outdoor temperature of a month", Points::Kind::knots, Driver::theta_e, 720},
@@ -110,6 +110,8 @@ std::vector<Series> series_of(const DriverOfFunctions& row, const Surroundings& 
             return {Series(static_cast<std::size_t>(axis.n_steps), 0.0)};
         case Points::Kind::hours:
             return {hours_of_week(around.clock, axis)};
+        case Points::Kind::hours_from:
+            return {hours_of_week(around.clock, axis), years_of(around)};
         case Points::Kind::fortnights:
             return {years_of(around)};
         default:
@@ -154,7 +156,8 @@ Points::Kind points_of_driver(const std::string& name) {
 
 std::string unit_of_driver(const std::string& name) {
     const DriverOfFunctions& row = row_named(name);
-    if (row.points == Points::Kind::hours) return "h";
+    if (row.points == Points::Kind::hours || row.points == Points::Kind::hours_from)
+        return "h";
     if (row.points == Points::Kind::fortnights) return "a";
     if (follows_loads(row.driver)) return "kW";
     return row.points == Points::Kind::one ? "" : unit_of_values(row.driver);

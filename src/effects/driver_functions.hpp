@@ -29,6 +29,8 @@ using FunctionDrivers = std::map<std::string, std::vector<std::vector<double>>>;
 FunctionDrivers function_drivers(const Surroundings& around);
 
 std::vector<std::string> function_driver_names();
+/// Time is counted in years of so many seconds.
+inline constexpr double seconds_of_year = 365.25 * 86400;
 /// Whether a driver is the model's own heating or cooling load.
 bool follows_loads(const std::string& driver);
 

@@ -180,6 +180,8 @@ bool adds_up(Hook hook);
 /// Whether heating and cooling loads stay as they are where it changes something, so that
 /// what enters there may follow them.
 bool leaves_loads(Hook hook);
+/// Whether people do it in all seasons: a date can be told from a season there.
+bool is_use(Hook hook);
 /// Whether it is the model's own heating or cooling load.
 bool follows_loads(Driver driver);
 

@@ -35,6 +35,7 @@ struct HookRow {
     const char* lack = "the building has nothing that it could change";  ///< without any
     bool is_at_a_meter = false;  ///< which the others do not see
     bool leaves_loads = false;   ///< what it changes comes behind what rooms need
+    bool is_use = false;         ///< what people do and switch on, in all seasons
     /// What two effects bring is the sum of what each brings.
     bool adds_up = true;
     /// The coefficient is per unit of the driver; not where the driver is a temperature

@@ -49,6 +49,10 @@ bool leaves_loads(Hook hook) {
     return row_of(hook).leaves_loads;
 }
 
+bool is_use(Hook hook) {
+    return row_of(hook).is_use;
+}
+
 bool follows_loads(Driver driver) {
     return driver == Driver::heating_load || driver == Driver::cooling_load;
 }

@@ -70,7 +70,7 @@ Eigen::VectorXd shares_of(const Points& points,
         for (std::size_t i = 0; i < w.point.size(); ++i)
             shares[static_cast<long>(w.point[i])] += w.weight[i];
     }
-    return shares / shares.sum();
+    return shares / static_cast<double>(drivers[0].size());
 }
 
 /// Takes off the weighted means along rows or columns of the points: their projection.
@@ -171,6 +171,9 @@ Basis basis_at(std::string driver, Points points,
         case Points::Kind::hours:
             fill(basis, covariance_of_hours(n / 24), centring(shares), shares);
             break;
+        case Points::Kind::hours_from:
+            fill(basis, covariance_of_hours(n / 24), Covariance::Identity(n, n), shares);
+            break;
         case Points::Kind::knots:
             fill(basis, covariance_of_knots(n), centring(shares), shares);
             break;
@@ -186,6 +189,12 @@ Basis basis_at(std::string driver, Points points,
 Basis hours_of_week(std::string driver, std::span<const double> training) {
     return basis_at(std::move(driver), {Points::Kind::hours},
                     {{training.begin(), training.end()}});
+}
+
+Basis hours_from(std::string driver, std::span<const double> hours,
+                 std::span<const double> years, double day) {
+    return basis_at(std::move(driver), {Points::Kind::hours_from, {day}},
+                    {{hours.begin(), hours.end()}, {years.begin(), years.end()}});
 }
 
 Basis smooth_of(std::string driver, std::span<const double> training) {

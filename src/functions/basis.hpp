@@ -34,6 +34,10 @@ Basis basis_at(std::string driver, Points points,
 /// Points 0 to 71: 24 hours of working days, of Saturdays, of Sundays. Neighbouring hours
 /// are alike over some three hours, and day classes share half of their variance.
 Basis hours_of_week(std::string driver, std::span<const double> training);
+/// Hours of the week from a day on, 0 before it. What all days share is not taken off.
+/// \param day  among the years
+Basis hours_from(std::string driver, std::span<const double> hours,
+                 std::span<const double> years, double day);
 /// Hats over quantiles of the driver in training, its ends held beyond them; smooth.
 Basis smooth_of(std::string driver, std::span<const double> training);
 /// The two of them together, what each alone explains taken off: hours of the day of two

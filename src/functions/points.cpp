@@ -53,6 +53,7 @@ std::size_t Points::size() const {
         case Kind::one:
             return 1;
         case Kind::hours:
+        case Kind::hours_from:
             return day_classes * hours_of_day;
         case Kind::knots:
             return knots.size();
@@ -69,6 +70,9 @@ Weights Points::weights(std::span<const double> drivers) const {
             return {};
         case Kind::hours:
             return {{static_cast<std::size_t>(drivers[0]), 0}, {1, 0}};
+        case Kind::hours_from:
+            return {{static_cast<std::size_t>(drivers[0]), 0},
+                    {drivers[1] >= knots[0] ? 1.0 : 0.0, 0}};
         case Kind::knots:
             return at_knots(knots, drivers[0], 0);
         case Kind::hours_at_knots:
@@ -83,7 +87,7 @@ std::vector<std::vector<double>> Points::drivers_at() const {
     std::vector<double> first, second;
     for (std::size_t p = 0; p < size() && kind != Kind::one; ++p) {
         const auto number = static_cast<double>(p);
-        if (kind == Kind::hours) first.push_back(number);
+        if (kind == Kind::hours || kind == Kind::hours_from) first.push_back(number);
         if (kind == Kind::knots) first.push_back(knots[p]);
         if (kind == Kind::fortnights)
             first.push_back((number + 0.5) / fortnights_of_year);

@@ -276,6 +276,11 @@ inline constexpr double least_odds_of_calendar = 9;
 inline constexpr double log_odds_of_hook = 5;
 /// The same at a meter [log]. Judgement: a tenth as likely.
 inline constexpr double log_odds_of_meter = 7.3;
+/// More, of other hours from a day on [log]. Statistic: log 365, as many days are looked
+/// at.
+inline constexpr double log_odds_of_day = 5.9;
+/// On either side of such a day [d]. Judgement: a season; what is shorter may be one.
+inline constexpr int least_days_of_change = 91;
 /// How far parameters move with functions in a round [prior sd]. Judgement: where steps
 /// are linear.
 inline constexpr double linear_range = 0.2;

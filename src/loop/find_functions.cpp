@@ -6,6 +6,7 @@
 #include "loop/find_functions.hpp"
 
 #include "base/error.hpp"
+#include "loop/day_of_change.hpp"
 #include "loop/decisions.hpp"
 #include "loop/remainder.hpp"
 
@@ -176,11 +177,11 @@ namespace {
 std::optional<Simulated> better_stage(const LoopData& data,
                                       const effects::FunctionDrivers& drivers,
                                       const Place& place, const Standing& without,
-                                      Simulated& so_far) {
+                                      std::optional<double> day, Simulated& so_far) {
     Standing& from = so_far.standing;
     if (!so_far.functions.empty()) refit(data, from, only_derivatives);
     const Remainder remainder(data, so_far.place, from, drivers, so_far.functions,
-                              without.noise);
+                              without.noise, day);
     const functions::Path path = remainder.search();
     const StageSimulator simulator(data, drivers, place, without, from, remainder);
     std::optional<Simulated> best;
@@ -220,9 +221,10 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
         effects::function_drivers(surroundings_of(place));
     score_unseen(data, standing);
     const Standing& without = standing;
+    const auto day = day_of_change(data, without, drivers, place);
     Simulated best{{}, without, place};
     for (int round = 0; round < decisions::function_rounds; ++round) {
-        auto better = better_stage(data, drivers, place, without, best);
+        auto better = better_stage(data, drivers, place, without, day, best);
         if (!better) break;
         best = std::move(*better);
     }

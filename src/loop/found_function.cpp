@@ -38,9 +38,23 @@ std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found) {
     return all;
 }
 
-std::string name_of(const FoundFunction& function) {
-    if (function.basis.driver == "one") return function.at.name;
-    return fmt::format("{} by {}", function.at.name, function.basis.driver);
+namespace {
+
+std::string date_of(double years, physics::Seconds from) {
+    return physics::format_date(
+        from + std::chrono::seconds(std::llround(years * effects::seconds_of_year)));
+}
+
+}  // namespace
+
+std::string name_of(const FoundFunction& function, physics::Seconds from) {
+    const functions::Points& points = function.basis.points;
+    if (points.kind == functions::Points::Kind::one) return function.at.name;
+    std::string driver = function.basis.driver;
+    if (points.kind == functions::Points::Kind::hours_from)
+        driver.replace(driver.find("a day on"), std::string::npos,
+                       date_of(points.knots[0], from) + " on");
+    return fmt::format("{} by {}", function.at.name, driver);
 }
 
 }  // namespace bemcal::loop

@@ -36,7 +36,8 @@ struct FunctionsAtHook {
 /// In the order in which hooks first come.
 std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found);
 
-/// "gains by hour of the week"
-std::string name_of(const FoundFunction& function);
+/// "gains by hour of the week", "gains by hour of the week from 2021-06-03 on"
+/// \param from  the first step of training
+std::string name_of(const FoundFunction& function, physics::Seconds from);
 
 }  // namespace bemcal::loop

@@ -83,11 +83,11 @@ void ReadingLayout::sort_into_blocks() {
 Remainder::Remainder(const LoopData& data, const Place& place, const Standing& standing,
                      const effects::FunctionDrivers& drivers,
                      const std::vector<FoundFunction>& there,
-                     const std::vector<ChannelNoise>& noise)
+                     const std::vector<ChannelNoise>& noise, std::optional<double> day)
     : standing_(standing),
       layout_(data, noise),
       linear_(linear_model(data, place, standing)),
-      bases_(bases_of(drivers, *place.drive)),
+      bases_(bases_of(drivers, *place.drive, day)),
       without_functions_(standing.residuals) {
     for (const functions::Basis& basis : bases_)
         inputs_.push_back(functions::columns_of(
@@ -150,15 +150,33 @@ void Remainder::add(std::size_t id, const FoundFunction& function,
     for (std::size_t i = 0; i < own.size(); ++i) readings[i] += own[i];
 }
 
+namespace {
+
+bool is_from_a_day(const functions::Basis& basis) {
+    return basis.points.kind == functions::Points::Kind::hours_from;
+}
+
+}  // namespace
+
+/// Loads are followed behind them. Use alone has other hours from a day on: what acts in
+/// a season does not tell its day from the season's beginning.
+bool Remainder::may_pair(std::size_t id) const {
+    const effects::Hook hook = hook_of(id).hook;
+    if (is_from_a_day(basis_of(id))) return effects::is_use(hook);
+    return !effects::follows_loads(basis_of(id).driver) || effects::leaves_loads(hook);
+}
+
+double Remainder::log_odds_of(std::size_t id) const {
+    return (effects::is_at_a_meter(hook_of(id).hook) ? decisions::log_odds_of_meter
+                                                     : decisions::log_odds_of_hook) +
+           (is_from_a_day(basis_of(id)) ? decisions::log_odds_of_day : 0);
+}
+
 std::vector<functions::Pair> Remainder::pairs() const {
     std::vector<functions::Pair> pairs;
     pairs.reserve(n_pairs());
     for (std::size_t id = 0; id < n_pairs(); ++id)
-        if (!effects::follows_loads(basis_of(id).driver) ||
-            effects::leaves_loads(hook_of(id).hook))
-            pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
-                                     ? decisions::log_odds_of_meter
-                                     : decisions::log_odds_of_hook});
+        if (may_pair(id)) pairs.push_back({id, log_odds_of(id)});
     return pairs;
 }
 

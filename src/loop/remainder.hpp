@@ -48,10 +48,11 @@ class Remainder {
     /// \param place  with the functions that the standing model has already
     /// \param there  these functions
     /// \param noise  that weighs the meters
+    /// \param day    from which on hours may be others (day_of_change.hpp)
     Remainder(const LoopData& data, const Place& place, const Standing& standing,
               const effects::FunctionDrivers& drivers,
               const std::vector<FoundFunction>& there,
-              const std::vector<ChannelNoise>& noise);
+              const std::vector<ChannelNoise>& noise, std::optional<double> day);
 
     functions::Path search() const;
     /// The functions of a fit.
@@ -70,6 +71,8 @@ class Remainder {
     FoundFunction found_of(const functions::FunctionFit& fit) const;
     std::vector<functions::Pair> pairs() const;
     functions::WeighedData weighed_data() const;
+    bool may_pair(std::size_t id) const;
+    double log_odds_of(std::size_t id) const;
     Eigen::MatrixXf columns_of(std::size_t id) const;
     /// A pair's function over the steps of training. [steps x 1]
     Matrix input_of(std::size_t id, const std::vector<double>& coefficients) const;

@@ -259,8 +259,8 @@ class Writer {
     void functions_found() {
         for (const FoundFunction& function : result_.functions) {
             points_of(function, static_cast<double>(loop_.functions.size()));
-            loop_.functions.push_back({name_of(function), function.at.name,
-                                       function.basis.driver,
+            loop_.functions.push_back({name_of(function, data_.training().from),
+                                       function.at.name, function.basis.driver,
                                        effects::unit_of(function.at.hook),
                                        effects::unit_of_driver(function.basis.driver),
                                        function.size, function.evidence});

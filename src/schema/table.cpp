@@ -310,13 +310,14 @@ constexpr Key table[] = {
     {"effect", "function", Type::tables, "", "", 0, 0,
      "[[effect.function]]: in place of a driver, it follows the sum of these."},
     {"effect.function", "driver", Type::text, "", required, 0, 0,
-     "\"one\", \"hour of the week\", \"outdoor temperature\" (also \"of three days\", \"of a "
+     "\"one\", \"hour of the week\" (also \"from a day on\"), \"outdoor temperature\" (also \"of three days\", \"of a "
      "month\"), \"sun\", \"wind\", \"moisture\", \"hour and outdoor temperature of a "
      "day\", \"time\", and at efficiencies and meters \"heating load\" or \"cooling load\" "
      "in kW."},
     {"effect.function", "at", Type::numbers, "", "", -1e6, 1e6,
-     "Where the driver is at each of the values, rising; between them it is straight. Not "
-     "of hours, time and one."},
+     "Where the driver is at each of the values, rising; between them it is straight. Of "
+     "hours from a day on: that day, in years from the first day of training. Not of "
+     "hours, time and one."},
     {"effect.function", "values", Type::numbers, "", required, -1e9, 1e9,
      "In the hook's unit. Of hours: 24 of working days, of Saturdays, of Sundays and "
      "holidays; of hour and temperature: at each hour of working days, then of other "

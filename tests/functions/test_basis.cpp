@@ -56,6 +56,27 @@ TEST(Basis, FunctionsHaveMeanZeroAndMeanSquareOneInTraining) {
                                    0.01);
 }
 
+TEST(Basis, HoursFromADayAreNothingBeforeItAndOfSizeOneInTraining) {
+    const auto of_hours = hours();
+    std::vector<double> years;
+    for (std::size_t k = 0; k < of_hours.size(); ++k)
+        years.push_back(static_cast<double>(k) / 8766);
+    const std::size_t first = of_hours.size() / 4;
+    const Matrix columns =
+        columns_of(hours_from("hours", of_hours, years, years[first]), {of_hours, years});
+    double squares = 0, behind = 0;
+    for (std::size_t k = 0; k < columns.rows; ++k)
+        for (std::size_t c = 0; c < columns.cols; ++c) {
+            squares += columns(k, c) * columns(k, c);
+            if (k < first)
+                EXPECT_EQ(columns(k, c), 0);
+            else
+                behind += columns(k, c);
+        }
+    EXPECT_NEAR(squares / static_cast<double>(columns.rows), 1, 0.15);
+    EXPECT_GT(std::abs(behind), 1);  // what all hours share is not taken off
+}
+
 TEST(Basis, PointsThatAreGivenHaveTheSameColumns) {
     const auto of_hours = hours(), slow = swinging(150);
     const std::vector<double> years{0, 0.3, 0.7, 1.1, 1.9};

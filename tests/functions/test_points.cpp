@@ -24,6 +24,15 @@ TEST(Points, HaveTheirValuesWhereTheyLie) {
     }
 }
 
+TEST(Points, HoursFromADayAreNothingBeforeIt) {
+    const Points points{Points::Kind::hours_from, {0.5}};
+    std::vector<double> values(72, 1);
+    values[30] = 4;
+    EXPECT_EQ(function_over(points, values, Series{{7, 7, 30, 30}, {0, 0.5, 0.49, 9}}),
+              (std::vector<double>{0, 1, 0, 4}));
+    EXPECT_EQ(points.drivers_at().size(), 1U);
+}
+
 TEST(Points, WeightsSumToOne) {
     for (const Points& points : one_of_each())
         for (const double at : {0.0, 0.3, 1.7, 7.0, 23.0})

@@ -172,13 +172,16 @@ TEST(DeclaredEffects, FollowFunctionsAsTheyAreWritten) {
         {"one", {}, {1.5}},
         {"hour of the week", {Kind::hours}, std::vector<double>(72, 0.25)},
         {"wind", {Kind::knots, {1, 2.5, 9}}, {0, 1.0 / 3, -1}},
-        {"time", {Kind::fortnights, {}, 3}, {0, 2, 4}}};
+        {"time", {Kind::fortnights, {}, 3}, {0, 2, 4}},
+        {"hour of the week from a day on",
+         {Kind::hours_from, {0.5}},
+         std::vector<double>(72, 100)}};
     const study::Case office = office_with(effects::job_section_of(at, all));
     const effects::DeclaredEffects& declared = *office.declared_effects;
     EXPECT_EQ(declared.coefficients, std::vector<double>{1});
     EXPECT_TRUE(declared.effects[0].is_smooth);
     const auto& read = declared.functions.at(0).functions;
-    ASSERT_EQ(read.size(), 4U);
+    ASSERT_EQ(read.size(), 5U);
     for (std::size_t k = 0; k < read.size(); ++k) {
         const effects::DriverFunction& written = all[k];
         EXPECT_EQ(read[k].driver, written.driver);
@@ -245,6 +248,27 @@ TEST(DeclaredStructure, HasItsNumbersAsParameters) {
     ASSERT_EQ(office.priors.size(), office.parameters.size());
     EXPECT_EQ(office.priors.back().prior.kind, stats::PriorKind::normal);
     EXPECT_EQ(office.priors.back().prior.a, 0.3);
+}
+
+// Until a parameter leads to it.
+TEST(DeclaredStructure, LeavesWhatTheJobWrites) {
+    const Folder folder;
+    std::string text =
+        replaced(small_office_text(), "[site]",
+                 "structure = [\"air and thermostat\", \"wind in leaks\"]\n[site]");
+    text = replaced(text, "[[zone]]", "[[zone]]\nair_capacity = 40000");
+    text = replaced(text, "[[parameter]]",
+                    "[[effect]]\nname = \"share of infiltration by wind\"\n"
+                    "hook = \"leakage\"\ndriver = \"wind about its mean\"\n"
+                    "coefficient = 0.2\n[[parameter]]");
+    const study::Case office = read_job(write_small_office(folder, text)).buildings.at(0);
+    EXPECT_EQ(office.declared_effects->coefficients, std::vector<double>{0.2});
+    EXPECT_EQ(office.building.zones[0].structure.air_capacity, 40000);
+    EXPECT_EQ(parameter_named(office, "thermostat_band").nominal, 0.8);
+    for (const physics::Parameter& parameter : office.parameters) {
+        EXPECT_NE(parameter.name, "share of infiltration by wind");
+        EXPECT_NE(parameter.name, "air_capacity");
+    }
 }
 
 TEST(DeclaredStructure, BringsAirSystemsThatNoSectionHas) {
