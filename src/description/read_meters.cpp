@@ -73,8 +73,8 @@ class MeterReader {
                 unit_of(section_, meter_.quantity);
             },
             [&] { meter_.interval = section_.choice_as<Interval>("interval"); },
-            [&] { section_.number_if("tariff", meter_.tariff); },
-            [&] { section_.number_if("co2", meter_.co2); }, [&] { read_corrections(); },
+            [&] { read_price("tariff", &Meter::tariff); },
+            [&] { read_price("co2", &Meter::co2); }, [&] { read_corrections(); },
             [&] { read_column(); });
     }
 
@@ -97,6 +97,21 @@ class MeterReader {
             building_.meters.end())
             section_.fail_value("name", "another meter has this name");
         check_name(section_, "name", Named::meter, meter_.name);
+    }
+
+    /// Of a kWh of an energy, whichever of its meters says it.
+    void read_price(const char* key, double Meter::* price) {
+        if (!section_.has(key)) return;
+        meter_.*price = section_.number(key);
+        if (physics::is_temperature(meter_.quantity))
+            section_.fail(key, "has no place at a temperature; leave it out");
+        for (const Meter& other : building_.meters)
+            if (other.quantity == meter_.quantity && other.*price != meter_.*price &&
+                !std::isnan(other.*price))
+                section_.fail_value(
+                    key, fmt::format("the meter \"{}\" of the same energy has {:g}; "
+                                     "expected one price of an energy",
+                                     other.name, other.*price));
     }
 
     /// The column, and that the files have it.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -69,10 +70,17 @@ struct Account {
     double study::Meter::* per_kwh;
 };
 
-/// Of an output: the meter that reads it, if any, and whether somebody sells it.
+/// Of an output: the meters that read it, and whether somebody sells it.
 struct Sold {
-    const study::Meter* meter = nullptr;
+    std::vector<const study::Meter*> meters{};
     bool is_carrier = false;
+
+    /// As the first that has it says; NaN where none does.
+    double price(double study::Meter::* per_kwh) const {
+        for (const study::Meter* meter : meters)
+            if (!std::isnan(meter->*per_kwh)) return meter->*per_kwh;
+        return std::numeric_limits<double>::quiet_NaN();
+    }
 };
 
 bool is_used(const Savings& savings, std::size_t output) {
@@ -91,8 +99,8 @@ void add_account(const Account& account, const std::vector<Sold>& sold,
     std::vector<std::string> of;
     bool is_of_all = true;
     for (std::size_t k = 0; k < sold.size(); ++k)
-        if (sold[k].meter != nullptr && !std::isnan(sold[k].meter->*account.per_kwh)) {
-            per_kwh[k] = sold[k].meter->*account.per_kwh;
+        if (const double price = sold[k].price(account.per_kwh); !std::isnan(price)) {
+            per_kwh[k] = price;
             of.push_back(savings.outputs[k].name);
         } else if (sold[k].is_carrier && is_used(savings, k)) {
             is_of_all = false;
@@ -137,13 +145,15 @@ void add_accounts(const std::vector<study::Meter>& meters,
     std::vector<Sold> sold;
     sold.reserve(savings.outputs.size());
     for (const study::Output& output : savings.outputs) {
-        const auto meter = std::ranges::find(meters, output.name, output_of);
-        Sold one{meter == meters.end() ? nullptr : &*meter};
+        Sold one;
+        for (const study::Meter& meter : meters)
+            if (output_of(meter) == output.name) one.meters.push_back(&meter);
         one.is_carrier =
-            one.meter ? physics::carrier_of(one.meter->quantity) != physics::Carrier::none
-                      : std::ranges::find(physics::carrier_names, output.name) !=
-                            physics::carrier_names.end();
-        sold.push_back(one);
+            one.meters.empty()
+                ? std::ranges::find(physics::carrier_names, output.name) !=
+                      physics::carrier_names.end()
+                : physics::carrier_of(one.meters[0]->quantity) != physics::Carrier::none;
+        sold.push_back(std::move(one));
     }
     for (const Account& account : {Account{{"cost", "currency"}, &study::Meter::tariff},
                                    Account{{"CO2", "kg"}, &study::Meter::co2}})

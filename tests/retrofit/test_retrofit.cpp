@@ -313,6 +313,14 @@ TEST(Retrofit, CostsAndEmitsWhatItsMetersSay) {
     EXPECT_DOUBLE_EQ(after[n_outputs],
                      0.1 * after[Column::gas] + 0.3 * after[electricity]);
     EXPECT_DOUBLE_EQ(after[n_outputs + 1], 0.2 * after[Column::gas]);
+    Meter unpriced{"another", Quantity::gas, physics::Interval::hourly, {}, {}};
+    house.meters = {unpriced, gas, power};
+    EXPECT_EQ(
+        test::find(results_of(house, options_of({halved}), draws({0.5}, {0.6})), "after")
+            .values,
+        after)
+        << "whichever of its meters says it";
+    house.meters = {gas, power};
     house.building.plant.heating_auxiliary = 0.02;
     EXPECT_EQ(
         test::find(results_of(house, options_of({halved}), draws({0.5}, {0.6})), "output")
