@@ -46,7 +46,7 @@ std::vector<HoursOfDay> sums_of_days(const LoopData& data, const Standing& stand
     return days;
 }
 
-/// By how much two means fall below one, of squares. Sums of all days before each day.
+/// By how much the residuals' squares fall if hours have another mean from each day on.
 /// [days]
 std::vector<double> gains_of(const std::vector<HoursOfDay>& days) {
     HoursOfDay all{};

@@ -276,8 +276,8 @@ inline constexpr double least_odds_of_calendar = 9;
 inline constexpr double log_odds_of_hook = 5;
 /// The same at a meter [log]. Judgement: a tenth as likely.
 inline constexpr double log_odds_of_meter = 7.3;
-/// More, of other hours from a day on [log]. Statistic: log 365, as many days are looked
-/// at.
+/// More, of other hours from a day on [log]. Statistic: log 365, no more days of a year
+/// are looked at.
 inline constexpr double log_odds_of_day = 5.9;
 /// On either side of such a day [d]. Judgement: a season; what is shorter may be one.
 inline constexpr int least_days_of_change = 91;
