@@ -6,7 +6,8 @@
 The files are DOE's small office (so), medium office (mo) and mid-rise apartments (ap), of the package pyenergyplus-
 lbnl beside EnergyPlus; the descriptions by hand and the weather are those of ../shared/energyplus/so_null, mo_null
 and ap_null. An effect is put into the file, both years are simulated, noise is that of the cases there. What begins
-on a day is the file without it before that day and the file with it after. No case of ../shared is among them.
+on a day is the file without it before that day and the file with it after, and so is what comes every summer. No case
+of ../shared is among them.
 Prints what was found in each and `name value unit reference ratio`: cases named right, false names, and the geometric
 mean over energies of the hourly held-out error of `after` over that of `before` (no effect accepted).
 """
@@ -143,6 +144,23 @@ def closed(pattern, before, last):
     return change
 
 
+def blinds(least_sun):
+    """White ones indoors, let down where the sun on a window [W/m2] is more."""
+    def change(objects):
+        rooms = {fields[1].lower(): fields[4] for fields in objects if is_a(fields, "BuildingSurface:Detailed")}
+        panes = {}
+        for fields in objects:
+            if is_a(fields, "FenestrationSurface:Detailed") and fields[2].lower() == "window":
+                panes.setdefault(rooms[fields[4].lower()], []).append(fields[1])
+        shade = ["WindowMaterial:Shade", "bench blind", "0.1", "0.6", "0.1", "0.6", "0.9", "0", "0.005", "0.1", "0.05",
+                 "0.5", "0.5", "0.5", "0.5", "0"]
+        return [*objects, shade, *(
+            ["WindowShadingControl", f"bench blinds {room}", room, "1", "InteriorShade", "", "OnIfHighSolarOnWindow",
+             "", f"{least_sun}", "No", "No", "bench blind", "FixedSlatAngle", "", "", "", "Group", *of_room]
+            for room, of_room in panes.items())]
+    return change
+
+
 def economised(objects):
     for fields in objects:
         if is_a(fields, "Controller:OutdoorAir"):
@@ -175,9 +193,11 @@ def by_wind(objects):
 
 @dataclass(frozen=True)
 class Case:
-    """`since`: month and day of the first year from which it holds; `meter`: (column, factor) of a meter alone."""
+    """`since`: month and day of the first year from which it holds; `every`: the first month and day on which it holds,
+    and the first on which it does not, of both years; `meter`: (column, factor) of a meter alone."""
     change: object = None
     since: str = ""
+    every: tuple = ()
     meter: tuple = ()
     names: tuple = ()
 
@@ -186,6 +206,8 @@ USE = "BLDG_(OCC|LIGHT|EQUIP)_SCH"
 LIGHTS = ("lights replaced",)
 WIND = ("wind infiltration", "infiltration by strong wind", "wind in leaks")
 SATURDAY = ("people work on Saturdays", "Saturdays worked", "other hours than declared", "Saturday mornings worked")
+BLINDS = ("blinds",)
+NIGHT_AIR = ("night purge", "outdoor air at night", "windows opened in warm rooms")
 CASES = {
     "so_effstep": Case(scaled("Coil:Heating:Fuel", [4], 0.8), "02-01", names=("new or serviced boiler",)),
     "so_meterstep": Case(meter=("elec_kWh", 1.12), since=SEPTEMBER, names=("step of a meter",)),
@@ -239,6 +261,15 @@ CASES = {
     "ap_wind": Case(by_wind, names=WIND),
     "ap_windows": Case(vented((0, 24), 24, 2), names=("windows opened in warm rooms", "windows opened while occupied")),
     "ap_coolset": Case(schedule("APT_CLGSETP_SCH", raised(18, 24, -1.5)), names=("cooling set-point of some hours",)),
+    "so_shift": Case(schedule(".*", later(1)), names=("schedules earlier or later", "other hours than declared")),
+    "so_blinds": Case(blinds(150), names=BLINDS),
+    "so_nightair": Case(vented((22, 6), 20, 3), names=NIGHT_AIR),
+    "mo_satfull": Case(schedule(f"{USE}|(HTG|CLG)SETP_SCH|HVACOperationSchd|MinOA.*", saturday_as_monday),
+                       names=SATURDAY),
+    "mo_blinds": Case(blinds(150), names=BLINDS),
+    "mo_nightair": Case(vented((22, 6), 20, 3), names=NIGHT_AIR),
+    "ap_summertime": Case(schedule(".*", later(-1)), every=("03-26", "10-29"), names=("summer time not applied",)),
+    "ap_nightair": Case(vented((22, 6), 20, 3), names=NIGHT_AIR),
 }
 
 
@@ -256,12 +287,26 @@ def on_soil(objects, weather):
     return [*rest, ["Site:GroundTemperature:BuildingSurface", *months], list(SOIL)]
 
 
-def begun_on(since, years, without):
-    """The first of both years has the effect from a day on ("06-01"), and was without it before."""
-    year, first = years[0]
-    begin = (pandas.Timestamp(f"{year}-{since}") - pandas.Timestamp(f"{year}-01-01")).days * 24
-    return [(year, {column: np.concatenate([without[0][1][column][:begin], hours[begin:]])
-                    for column, hours in first.items()}), *years[1:]]
+def hour_of(year, day):
+    """The first one of a month and day ("06-01")."""
+    return (pandas.Timestamp(f"{year}-{day}") - pandas.Timestamp(f"{year}-01-01")).days * 24
+
+
+def within(begin, end, this, without):
+    """(year, hours) of this from one hour to another, and without the effect else."""
+    year, hours = this
+    holds = np.zeros(len(next(iter(hours.values()))), bool)
+    holds[begin:end] = True
+    return year, {column: np.where(holds, values, without[1][column]) for column, values in hours.items()}
+
+
+def at_times(effect, years, without):
+    """Both years with the effect where it holds."""
+    if effect.every:
+        return [within(*(hour_of(year[0], day) for day in effect.every), year, usual)
+                for year, usual in zip(years, without)]
+    begin = hour_of(years[0][0], effect.since)
+    return [within(begin, None, years[0], without[0]), *years[1:]]
 
 
 def with_effect(energyplus, case, effect, folder):
@@ -275,7 +320,7 @@ def with_effect(energyplus, case, effect, folder):
     plain.write_text(text_of(on_soil(objects_of(source.read_text(errors="replace")), weather)))
     energies = loads.ENERGIES | ({"gas_kWh": GAS_OF_APARTMENTS} if case.startswith("ap") else {})
     years = without = None
-    if effect.since or effect.meter:
+    if effect.since or effect.every or effect.meter:
         without = list(loads.years(energyplus, NULL[case[:2]], plain, folder / "without", energies))
     if effect.change:
         changed = folder / "changed.idf"
@@ -284,7 +329,7 @@ def with_effect(energyplus, case, effect, folder):
     else:
         column, factor = effect.meter
         years = [(year, {**hours, column: factor * hours[column]}) for year, hours in without]
-    return begun_on(effect.since, years, without) if effect.since else years
+    return at_times(effect, years, without) if effect.since or effect.every else years
 
 
 def write_case(case, years, folder):

@@ -110,18 +110,33 @@ void check_parameters(const study::Case& building, const CalibrationStage& stage
                                         ", which it does not calibrate, or it is empty");
 }
 
+void check_stage(const study::Case& building, const CalibrationStage& stage,
+                 const std::vector<std::string>& before) {
+    check_parameters(building, stage);
+    if (!is_in(before, stage.from))
+        throw std::invalid_argument("the stage " + stage.name + " starts from " +
+                                    stage.from + ", which is no stage before it");
+    if (is_in(before, stage.name))
+        throw std::invalid_argument("two stages are called " + stage.name);
+    for (const std::string& period : stage.periods) exact_period(building, period);
+}
+
+/// Does something of a stage, and says of which it was where that throws.
+template <class Do>
+auto of_stage(std::size_t n, Do make) {
+    try {
+        return make();
+    } catch (const std::invalid_argument& error) {
+        throw StageFault(n, error.what());
+    }
+}
+
 void check_stages(const study::Case& building,
                   const std::vector<CalibrationStage>& stages) {
     std::vector<std::string> before{initial_values};
-    for (const CalibrationStage& stage : stages) {
-        check_parameters(building, stage);
-        if (!is_in(before, stage.from))
-            throw std::invalid_argument("the stage " + stage.name + " starts from " +
-                                        stage.from + ", which is no stage before it");
-        if (is_in(before, stage.name))
-            throw std::invalid_argument("two stages are called " + stage.name);
-        before.push_back(stage.name);
-        for (const std::string& period : stage.periods) exact_period(building, period);
+    for (std::size_t n = 0; n < stages.size(); ++n) {
+        of_stage(n, [&] { check_stage(building, stages[n], before); });
+        before.push_back(stages[n].name);
     }
 }
 
@@ -230,8 +245,8 @@ StagedCalibration::StagedCalibration(std::string name, const study::Case& buildi
     check_validation(building_, options_);
     models_ = models_of(building_, options_, model);
     goals_.reserve(stages_.size());
-    for (const CalibrationStage& stage : stages_)
-        goals_.emplace_back(building_, models_, stage);
+    for (std::size_t n = 0; n < stages_.size(); ++n)
+        of_stage(n, [&] { goals_.emplace_back(building_, models_, stages_[n]); });
     points_ = start().path.next_points();
 }
 

@@ -14,12 +14,21 @@
 #include "study/stage.hpp"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace bemcal::calibration {
 
-/// Throws std::invalid_argument for a name that is not there, a validation period that
-/// overlaps one that a stage sees, a range that is none, or no reading in a period.
+/// What is wrong with a stage, by its number in StagedOptions::stages.
+struct StageFault : std::invalid_argument {
+    StageFault(std::size_t n, const std::string& what)
+        : std::invalid_argument(what), stage(n) {}
+    std::size_t stage;
+};
+
+/// Throws StageFault for a stage's name that is not there, a range that is none, or no
+/// reading in a period; std::invalid_argument for no stage, or a validation period that
+/// overlaps one that a stage sees.
 /// \param model  of each period
 std::unique_ptr<study::Stage> make_staged(
     std::string name, const study::Case& building, StagedOptions options,

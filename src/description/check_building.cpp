@@ -6,6 +6,7 @@
 #include "description/building_readers.hpp"
 #include "physics/air_hour.hpp"
 #include "physics/network.hpp"
+#include "physics/stepper.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -122,6 +123,8 @@ void check_building(const Sources& sources, const Case& building) {
             physics::Network network;
             at_key(sections[z], "name", [&] {
                 physics::make_network(building.building, zone, drive, 0, network);
+                physics::reject_tight_coupling(building.building, drive, z, 0,
+                                               network.H_tr_is);
             });
         }
     }

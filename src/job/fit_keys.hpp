@@ -2,7 +2,8 @@
 /// for how long.
 #pragma once
 
-#include "schema/schema.hpp"
+#include "calibration/optimisation_options.hpp"
+#include "schema/section.hpp"
 
 namespace bemcal::job {
 
@@ -25,5 +26,10 @@ inline constexpr schema::Key fit_keys[] = {
      "anew, again and again until the budget is spent; false: ends after the first "
      "pattern search, as GenOpt does."},
 };
+
+/// Throws UserError at the section's meter_weights: not one for each of the names in
+/// meters, negative, or 0 for all.
+void check_weights(const schema::Section& section,
+                   const calibration::OptimisationOptions& fit);
 
 }  // namespace bemcal::job

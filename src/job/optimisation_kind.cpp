@@ -96,17 +96,6 @@ void read(const StudySource& source, StudySpec& study) {
     study.options = std::move(made);
 }
 
-void check_weights(const schema::Section& section, const OptimisationOptions& options) {
-    if (options.meter_weights.empty()) return;
-    if (options.meters.size() != options.meter_weights.size())
-        section.fail("meter_weights",
-                     fmt::format("has {} numbers, but meters has {} names; expected one "
-                                 "for each",
-                                 options.meter_weights.size(), options.meters.size()));
-    for (const double weight : options.meter_weights)
-        if (!(weight >= 0)) section.fail("meter_weights", "expected no negative number");
-}
-
 void check_names(const NamePlace& place) {
     check_target_meters(place.section, place.names);
 }

@@ -315,17 +315,31 @@ void check_values(const schema::Section& section, const StagedOptions& options,
                   const study::Case& building) {
     std::size_t next = 0;
     for (const schema::Section& stage : section.tables("stage", "study.stage")) {
-        check_ranges(stage, options.stages[next], building);
-        check_set(stage, options.stages[next++], building);
+        const calibration::CalibrationStage& read = options.stages[next++];
+        check_ranges(stage, read, building);
+        check_set(stage, read, building);
+        check_weights(stage.has("meter_weights") ? stage : section, read.fit);
     }
+}
+
+/// What the stages cannot be made with, at the stage that it is of.
+template <class Make>
+void check_made(const schema::Section& section, Make make) {
+    const std::vector<schema::Section> stages = section.tables("stage", "study.stage");
+    description::at_key(section, "kind", [&] {
+        try {
+            make();
+        } catch (const calibration::StageFault& fault) {
+            if (fault.stage >= stages.size()) throw;  // all at once
+            stages[fault.stage].fail("name", fault.what());
+        }
+    });
 }
 
 void check_building(const schema::Section& section, const StagedOptions& options,
                     const study::Case& building) {
     check_values(section, options, building);
-    description::at_key(section, "kind", [&] {
-        return calibration::make_staged("checked", building, options);
-    });
+    check_made(section, [&] { calibration::make_staged("checked", building, options); });
 }
 
 /// Its parameters are the program's, its meters those that the program has hours of.
@@ -339,8 +353,7 @@ void check_simulator(const StudyPlace& place, const StagedOptions& staged) {
     for (const schema::Section& stage : section.tables("stage", "study.stage"))
         check_names_of_stage(stage, names);
     check_values(section, staged, building);
-    description::at_key(section, "kind",
-                        [&] { return stage_around("checked", staged, place.job); });
+    check_made(section, [&] { stage_around("checked", staged, place.job); });
 }
 
 void check(const StudyPlace& place, StudySpec& study) {

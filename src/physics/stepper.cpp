@@ -65,7 +65,24 @@ void add_link(const AirLink& link, double theta_other, Network& network,
     network.H_ve = H_ve;
 }
 
+void reject_tight(const std::vector<AirLink>& links, const Building& building,
+                  std::size_t zone, int step, double H_tr_is) {
+    double H = 0;
+    for (const AirLink& link : links) H += link.H;
+    if (H <= H_tr_is) return;
+    throw CannotSimulate(fmt::format(
+        "zone {}, step {}: its couplings to other zones sum to {:.6g} W/K, more than ties "
+        "its air to its own surfaces, H_tr,is = {:.6g} W/K; zones with so much in common "
+        "are one zone",
+        building.zones[zone].name, step, H, H_tr_is));
+}
+
 }  // namespace
+
+void reject_tight_coupling(const Building& building, const Drive& drive, std::size_t zone,
+                           int step, double H_tr_is) {
+    reject_tight(air_links(building, drive, zone, step), building, zone, step, H_tr_is);
+}
 
 class Stepper::ZoneRun {
   public:
@@ -124,6 +141,7 @@ class Stepper::ZoneRun {
             check(step, link);
             add_link(link, theta_air[link.zone], network_, hour);
         }
+        reject_tight(links, *building_, index_, step, network_.H_tr_is);
         reject_ringing(building_->zones[index_], step, network_, drive_->axis.step_s);
     }
 

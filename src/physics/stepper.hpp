@@ -11,6 +11,14 @@
 
 namespace bemcal::physics {
 
+/// Other zones' air is what it was in the step before, so it must not hold a zone's own
+/// more than its surfaces do. Throws CannotSimulate where all that ties the zone to
+/// others [W/K] is above H_tr_is.
+/// \param zone  in building.zones
+/// \param H_tr_is  of that zone [W/K]
+void reject_tight_coupling(const Building& building, const Drive& drive, std::size_t zone,
+                           int step, double H_tr_is);
+
 class Stepper {
   public:
     /// Starts with all nodes at drive.theta_start. Building and drive must outlive it.

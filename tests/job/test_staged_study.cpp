@@ -90,13 +90,13 @@ TEST(StagedStudy, RefusesWhatCannotBe) {
              {replaced(envelope, "0.5]", "0.1]"),
               "expected two rising numbers: [0.1, 1.5]"},
              {replaced(envelope, "seed = 9", "from = \"later\""),
-              "study.kind: the stage envelope starts from later, which is no stage "
-              "before it"},
+              "study.stage.name: the stage envelope starts from later, which is no "
+              "stage before it"},
              {replaced(envelope, "seed = 9", "set = {walls = 2}"),
               "set: walls = 2 is outside the parameter's range, 0.8 to 1.2"},
              {replaced(envelope, "seed = 9", "set = {infiltration = 0.3}"),
-              "study.kind: the stage envelope sets infiltration, which is no parameter "
-              "or which it calibrates"},
+              "study.stage.name: the stage envelope sets infiltration, which is no "
+              "parameter or which it calibrates"},
              {replaced(envelope, "\"envelope\"", "\"at_once\""),
               "stands for something else; expected another name"},
              {std::string("method = \"nsga2\"\n") + envelope,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -200,6 +201,21 @@ TEST(Simulate, RefusesACouplingThatMakesTheMassRing) {
     const Drive drive = test::constant_drive(building, 2, 0);
     EXPECT_NO_THROW(simulate(building, drive));
     building.zones[0].couplings = {{1, {1000, 0, -1}, {}}};
+    EXPECT_THROW(simulate(building, drive), std::domain_error);
+}
+
+TEST(Simulate, RefusesACouplingAboveWhatTiesTheAirToItsSurfaces) {
+    Building building = two_zones();
+    const Drive drive = test::constant_drive(building, 2, 0);
+    double H_tr_is = std::numeric_limits<double>::infinity();
+    for (const Zone& zone : building.zones) {
+        Network network;
+        make_network(building, zone, drive, 0, network);
+        H_tr_is = std::min(H_tr_is, network.H_tr_is);
+    }
+    building.zones[0].couplings = {{1, {0.999 * H_tr_is, 0, -1}, {}}};
+    EXPECT_NO_THROW(simulate(building, drive));
+    building.zones[0].couplings = {{1, {1.001 * H_tr_is, 0, -1}, {}}};
     EXPECT_THROW(simulate(building, drive), std::domain_error);
 }
 
