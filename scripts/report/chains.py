@@ -297,17 +297,30 @@ def fit_table(study):
         if fit.ndim != 3 or "cv_rmse" not in metrics or fit.shape[0] != 2:
             continue
         inside = study.numbers(join(group, "coverage")).ravel()
+        met = study.numbers(join(group, "guideline_14_met"))
         errors = fit[:, :, metrics.index("cv_rmse")]
         finest = next((k for k in range(errors.shape[1]) if np.isfinite(errors[:, k]).all()), None)
         months = errors[:, -1]
         if finest is None:
             continue
+        bias = fit[1, finest, metrics.index("nmbe")] if "nmbe" in metrics else np.nan
         rows.append([*judged(group), percent(errors[0, finest], 1), percent(errors[1, finest], 1),
-                     percent(months[0], 1), percent(months[1], 1), percent(inside[1]) if inside.size > 1 else ""])
+                     percent(months[0], 1), percent(months[1], 1), percent(bias, 1),
+                     *(percent(inside[k]) if inside.size > k else "" for k in (1, 3)), verdict(met, errors[1])])
     if rows:
         yield Table("Errors: CV(RMSE)", [("meter", False), ("period", False), ("as described", True),
                                          ("posterior", True), ("months: as described", True), ("posterior", True),
-                                         ("in 90 % intervals", True)], rows)
+                                         ("bias of it", True), ("in 90 % intervals", True), ("months in them", True),
+                                         ("Guideline 14 met", False)], rows)
+
+
+def verdict(met, errors):
+    """Of the posterior, by ASHRAE Guideline 14's hourly and monthly limits: "hourly no, monthly yes"."""
+    if met.shape != (2, 2):
+        return ""
+    return ", ".join(f"{name} {'yes' if value > 0 else 'no'}"
+                     for name, value, error in zip(("hourly", "monthly"), met[1], (errors[0], errors[-1]))
+                     if np.isfinite(error))
 
 
 def reading_ranks(study):

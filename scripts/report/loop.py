@@ -1,5 +1,6 @@
 """The numbers and words of a loop that loop.html names."""
 import math
+import re
 
 from report import beside, meters, pictures, words
 from report.picture import Picture, bare_unit
@@ -48,12 +49,18 @@ def parameter_rows(loop):
 def effect_rows(loop):
     """The effects, each with what is said of it; what brings most comes first."""
     return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
-             "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
+             "since": since(effect), "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
              "adequate": effect.is_adequate, "doubt": effect.doubt,
              "probability": "" if math.isnan(effect.probability) else f"{effect.probability:.2f}",
              "others": words.others(effect, "or"), "separates": effect.separates,
-             "section": effect.section, "brings": [words.brought(value) for value in effect.brings]}
+             "section": effect.section, "brings": [words.brought(value) for value in effect.brings if value.least or value.most]}
             for effect in sorted(loop.effects, key=words.size_of_what_it_brings, reverse=True)]
+
+
+def since(effect):
+    """The time from which it holds, by its section of a job; "" where it holds all along."""
+    found = re.search(r'^since = "(\S+)', effect.section, re.M)
+    return found[1] if found else ""
 
 
 def function_rows(loop):

@@ -134,6 +134,12 @@ def findings_table(result):
     return Table("Findings", head, rows) if rows else None
 
 
+POSTERIOR = "posterior"
+WITHOUT_EFFECTS = ("Without what the loop found:", "this is of the model as the job has it. With the effects and "
+                   "functions of the loop values and savings are others, and its values “after” are to be believed; "
+                   "bemcal-batch adopt writes a job with them, for a posterior of its own.")
+
+
 def title_of(result):
     """The building, or the job where there are several or none."""
     buildings = [building for building in result.findings if building]
@@ -149,7 +155,12 @@ def place_of(study):
 def sections_of(result):
     several = len(result.findings) > 1
     studies = sorted(result.studies, key=lambda study: (study.building, place_of(study)))
-    return [section_of(study, study.path if several else study.name) for study in studies]
+    sections = [section_of(study, study.path if several else study.name) for study in studies]
+    lacking = {study.building for study in studies if study.loop and (study.loop.effects or study.loop.functions)}
+    for study, section in zip(studies, sections):
+        if study.kind == POSTERIOR and study.building in lacking:
+            section.remarks.append(WITHOUT_EFFECTS)
+    return sections
 
 
 def html_of(result, sections=None):

@@ -2,7 +2,7 @@
 import numpy as np
 
 from report import theme
-from report.picture import bare_unit, picture, unit_words
+from report.picture import bare_unit, picture, short, unit_words
 from report.regression import HOURS_OF_WEEK, hour_of_week
 from report.result import AFTER, BEFORE, PLAIN
 from report.words import fixed, number, percent
@@ -391,7 +391,7 @@ def parameters(loop):
         axis.errorbar(middle, np.arange(len(shown)) + shift, xerr=half, fmt="o", markersize=4,
                       color=colour, label=name, elinewidth=1.6)
         said.append(middle)
-    axis.set_yticks(range(len(shown)), [loop.parameters[p] for p in shown])
+    axis.set_yticks(range(len(shown)), [short(loop.parameters[p]) for p in shown])
     axis.set(xlabel="from its mean [prior sd]",
              ylim=(len(shown) - 0.5, -0.5))
     axis.grid(False, axis="y")

@@ -13,6 +13,7 @@ DAY = 86400                    # [s]
 
 
 def outputs(study, is_comfort):
+    """Energies, or hours of comfort, that are above 0 anywhere."""
     units = study.texts("output_unit")
     before = study.numbers("before_quantile")
     after = study.numbers("after_quantile")
@@ -135,13 +136,20 @@ def table(study):
     scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
     low, middle, high = saved(study)
     share = ends_and_middle(study, "saving_share_quantile")[1]
+    told = [k for k in outputs(study, False) if np.nanmax(np.abs(middle[:, k])) > 0]
+    told += [k for k, unit in enumerate(units) if unit == HOURS]
     rows = [[scenario, names[k], number(middle[s, k], 4), f"{number(low[s, k], 4)} to {number(high[s, k], 4)}",
-             units[k], percent(share[s, k], 1)]
-            for s, scenario in enumerate(scenarios) for k in outputs(study, False) + outputs(study, True)]
+             units[k], percent(share[s, k], 1)] for s, scenario in enumerate(scenarios) for k in told]
     yield Table("What each scenario saves", [("scenario", False), ("of", False), ("saving", True),
                                              (intervals_words(study), True), ("unit", False),
                                              ("share of before", True)],
                 rows)
+    if len(told) < sum(units[k] != HOURS for k in outputs(study, False)) + units.count(HOURS):
+        yield "Energies that no scenario changes are left out."
+    if not is_one_point(study) and is_of_draws(study):
+        yield f"The intervals hold how little {study.text('points_of')} knows of its parameters, and not what the " \
+              "model gets wrong: where it misses the readings, or a parameter lies at an end of its range, the " \
+              "saving may lie outside."
     if is_one_point(study):
         yield f"{study.text('points_of')} has one point: how sure the savings are, it does not say."
     elif not is_of_draws(study):

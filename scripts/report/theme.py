@@ -54,10 +54,10 @@ matplotlib.rcParams.update(STYLE)
 
 
 def diverging():
-    """Blue where the model is too low, orange where too high, nothing in between."""
+    """Blue where the model is too low, orange where too high, paler the less."""
     return LinearSegmentedColormap.from_list("residual", [
-        to_rgba("#1f6fc4", 1), to_rgba("#1f6fc4", 0), to_rgba("#e06000", 0),
-        to_rgba("#e06000", 1)])
+        (0, to_rgba("#1f6fc4", 1)), (0.5, to_rgba("#1f6fc4", 0)), (0.5, to_rgba("#e06000", 0)),
+        (1, to_rgba("#e06000", 1))])
 
 
 def rising():

@@ -7,6 +7,7 @@ from report.result import AFTER, BEFORE, OF_ENDS, OF_PARAMETERS, PLAIN
 DASH = "–"
 SMALL = 0.005                  # changes below this share are none
 LARGE = 0.02                   # unexplained shares below it are not listed
+NEAR_NOTHING = 300             # CV(RMSE) [%] of a meter that shows hardly anything in the mean
 
 
 def number(value, digits=3):
@@ -163,14 +164,26 @@ def program_runs(loop):
     return f"It ran {len(simulator.runs)} times{annual}: {parts}{failed}.{foretold}"
 
 
+def why_none(loop):
+    """Why no candidate joined: none stood out, or the verdict on the one that stood out most."""
+    out = [step for step in loop.steps if step.effect and step.gain > step.threshold]
+    if not out:
+        return "no candidate stood out from noise"
+    most = max(out, key=lambda step: step.gain)
+    those = "the candidate that stood out from noise did not pass" if len(out) == 1 else \
+        f"{in_words(len(out)).lower()} candidates stood out from noise, and none of them stayed"
+    why = " (it passed at first)" if most.verdict == "accepted" else f" ({most.verdict})"
+    return f"{those}; most evidence had {said(most.effect)}{why}"
+
+
 def found(loop):
     """What was found."""
     if not loop.effects and not loop.candidates and not any(step.effect for step in loop.steps):
         return settings(loop) + f"No effect that the description of {loop.building} lacks was looked for: " \
                "most_effects is 0, or the readings are too few." + functions(loop)
     if not loop.effects:
-        return settings(loop) + f"No effect was found that the description of {loop.building} lacks: no candidate " \
-               "predicted better what was kept from it." + functions(loop)
+        return settings(loop) + f"No effect was found that the description of {loop.building} lacks: " \
+               f"{why_none(loop)}." + functions(loop)
     n = len(loop.effects)
     text = settings(loop) + ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
         f" found that the description of {loop.building} lacks: " + \
@@ -186,8 +199,18 @@ def found(loop):
 def change_of(row, since, until):
     """"gas by 49 % (from 24.1 to 12.3 %)"."""
     by_month = "" if row.resolution == "hourly" else f"{row.resolution} "
+    little = ", of readings whose mean is near 0" if row.unit == "%" and error_of_nothing(row, until) else ""
     return f"{row.channel} by {percent(abs(row.removed(since, until)))} " \
-           f"({by_month}from {error_of(row, since)} to {error_of(row, until)} {row.unit})"
+           f"({by_month}from {error_of(row, since)} to {error_of(row, until)} {row.unit}{little})"
+
+
+def error_of_nothing(row, model):
+    return row.error[model] > NEAR_NOTHING
+
+
+def is_change(row, since, until):
+    """Whether it is large enough, and shows in the digits that are told."""
+    return abs(row.removed(since, until)) >= SMALL and error_of(row, since) != error_of(row, until)
 
 
 def changes(rows, since, until):
@@ -195,13 +218,12 @@ def changes(rows, since, until):
     known = [row for row in rows if math.isfinite(row.removed(since, until))]
     known.sort(key=lambda row: -row.removed(since, until))
     parts = []
-    for verb, those in (("the error fell", [row for row in known
-                                            if row.removed(since, until) >= SMALL]),
-                        ("it rose", [row for row in known
-                                     if row.removed(since, until) <= -SMALL])):
+    moved = [row for row in known if is_change(row, since, until)]
+    for verb, those in (("the error fell", [row for row in moved if row.removed(since, until) > 0]),
+                        ("it rose", [row for row in moved if row.removed(since, until) < 0])):
         if those:
             parts.append(f"{verb} for {listed(change_of(row, since, until) for row in those)}")
-    same = [row.channel for row in known if abs(row.removed(since, until)) < SMALL]
+    same = [row.channel for row in known if not is_change(row, since, until)]
     if same:
         parts.append(f"it stayed the same for {listed(same)}" if parts
                      else f"the error stayed the same for {listed(same)}")

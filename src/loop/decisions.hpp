@@ -303,7 +303,7 @@ inline constexpr double far = 3;
 inline constexpr double days_of_all_seasons = 300;
 /// Draws for what an effect brings. Statistic: a deviation is known within 9 %.
 inline constexpr std::size_t draws_of_worth = 64;
-/// A parameter that is an open question [prior sd]. Judgement.
+/// A parameter that is an open question, and denies no setting [prior sd]. Judgement.
 inline constexpr double wide_parameter = 0.5;
 /// Lengths of a measurement [weeks]. Judgement.
 inline constexpr std::array weeks_tried = {1, 2, 4, 8};

@@ -326,11 +326,18 @@ class Writer {
             data_, result_.baseline.place, result_.last, result_.found, result_.misfit);
     }
 
+    /// Whether the job has a parameter of that name; the others are a refinement's.
+    bool is_of_job(const std::string& name) const {
+        const auto& known = data_.building.parameters;
+        return std::ranges::find(known, name, &physics::Parameter::name) != known.end();
+    }
+
     void unusual_ends() {
         const Standing& last = result_.last;
         for (std::size_t k = 0; k < last.built.first_effect(); ++k) {
             const study::FitUnknown& unknown = last.built.unknowns[k];
-            std::string finding = unusual_end(unknown, last.fit.at.x[k]);
+            std::string finding =
+                unusual_end(unknown, last.fit.at.x[k], !is_of_job(unknown.name));
             if (!finding.empty())
                 decisions_.push_back({unknown.name, std::move(finding),
                                       "may stand for what the description lacks",

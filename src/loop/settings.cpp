@@ -1,9 +1,10 @@
 /// Which settings the readings deny: those whose parameter ended far from its prior
-/// (unusual_end), by the number that it sets.
+/// (unusual_end) and is no open question, by the number that it sets.
 /// Leaves out numbers that a factor scales, and availability, capacity and flows, which
 /// nobody reads off a controller.
 #include "loop/settings.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/unusual_end.hpp"
 #include "physics/numbers.hpp"
 #include "stats/distributions.hpp"
@@ -53,7 +54,8 @@ std::optional<Setting> denied_setting(const physics::Building& described,
                                       const study::FitUnknown& unknown, double x,
                                       double deviation) {
     if (parameter.targets.empty() || parameter.effect == physics::Effect::factor ||
-        !is_far_from_prior(unknown, x))
+        !is_far_from_prior(unknown, x) ||
+        deviation > decisions::wide_parameter * unknown.scale)
         return std::nullopt;
     const std::string name = name_of(described, parameter);
     if (name.empty()) return std::nullopt;

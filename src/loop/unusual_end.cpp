@@ -24,9 +24,12 @@ bool is_far_from_prior(const study::FitUnknown& unknown, double x) {
     return unknown.has_prior && std::abs(x) > decisions::far;
 }
 
-std::string unusual_end(const study::FitUnknown& unknown, double x) {
+std::string unusual_end(const study::FitUnknown& unknown, double x, bool is_added) {
     const bool is_lowest = x <= unknown.lowest();
-    if (is_lowest || x >= unknown.highest())
+    const bool is_at_end = is_lowest || x >= unknown.highest();
+    if (is_at_end && is_added && (is_lowest ? unknown.least : unknown.most) == 0)
+        return "";
+    if (is_at_end)
         return fmt::format("at the {} end of its range: {}",
                            is_lowest ? "lower" : "upper", value_with_unit(unknown, x));
     if (is_far_from_prior(unknown, x))

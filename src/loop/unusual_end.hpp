@@ -15,6 +15,7 @@ bool is_far_from_prior(const study::FitUnknown& unknown, double x);
 /// "at the lower end of its range: 0.4", "3.7 prior sd from its mean: 3.65 K"; "" =
 /// neither.
 /// \param x  in prior standard deviations from its mean
-std::string unusual_end(const study::FitUnknown& unknown, double x);
+/// \param is_added  by a refinement, which does nothing at 0: such an end is none
+std::string unusual_end(const study::FitUnknown& unknown, double x, bool is_added);
 
 }  // namespace bemcal::loop

@@ -18,8 +18,8 @@ struct Shift {
     explicit Shift(const std::string& path) {
         parameter.targets = physics::resolve(building, path);
     }
-    std::optional<Setting> denied(double x) const {
-        return denied_setting(building, parameter, unknown, x, 0.2);
+    std::optional<Setting> denied(double x, double deviation = 0.2) const {
+        return denied_setting(building, parameter, unknown, x, deviation);
     }
 };
 
@@ -39,6 +39,13 @@ TEST(Settings, OneIsDeniedBeyondThreeDeviationsOfItsPrior) {
     EXPECT_DOUBLE_EQ(denied->found, described - 3.1);
     EXPECT_NEAR(denied->most - denied->least, 2 * 1.645 * 0.2, 1e-3);
     EXPECT_DOUBLE_EQ(denied->distance, 3.1);
+}
+
+// Where it seldom acts, readings hardly hold it: an open question denies nothing.
+TEST(Settings, OneThatReadingsHardlyTellIsNotDenied) {
+    const Shift shift("zone.*.heating_set_point");
+    EXPECT_TRUE(shift.denied(4, 0.5));
+    EXPECT_FALSE(shift.denied(4, 0.51));
 }
 
 // Of a building that has a value already: a shift is from what is described.

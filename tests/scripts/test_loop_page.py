@@ -170,8 +170,30 @@ class LoopReport(unittest.TestCase):
 
     def test_finding_nothing_is_a_result(self):
         text = Page(html_of(self.small("none.h5", found=0))).text
-        self.assertIn("No effect was found that the description of office lacks", text)
+        self.assertIn("No effect was found that the description of office lacks: the candidate that stood out from "
+                      "noise did not pass; most evidence had meter drift, gas (rejected: the held-out score falls).",
+                      text)
         self.assertIn("None that passes.", text)
+
+    def test_why_there_is_no_effect_follows_the_verdicts(self):
+        def of(*steps):
+            return words.why_none(types.SimpleNamespace(steps=[types.SimpleNamespace(
+                effect=name, gain=gain, threshold=20, verdict=verdict) for name, gain, verdict in steps]))
+        self.assertEqual(of(("wind", 20, "evidence below what noise shows"), ("", 0, "nothing passes")),
+                         "no candidate stood out from noise")
+        self.assertEqual(of(("wind", 21, "coefficient not plausible"), ("shade", 30, "accepted")),
+                         "two candidates stood out from noise, and none of them stayed; most evidence had shade (it "
+                         "passed at first)")
+
+    def test_a_change_that_the_digits_do_not_show_is_none(self):
+        def row(name, before, after, unit):
+            errors = np.array([np.nan, before, after])
+            return types.SimpleNamespace(channel=name, unit=unit, resolution="hourly", error=errors,
+                                         removed=lambda since, until: 1 - errors[until] / errors[since])
+        said = words.changes([row("air", 0.174, 0.168, "K"), row("gas", 20, 10, "%")], result.BEFORE, result.AFTER)
+        self.assertEqual(said, "the error fell for gas by 50 % (from 20.0 to 10.0 %); it stayed the same for air")
+        self.assertIn("of readings whose mean is near 0", words.changes(
+            [row("heat", 892.2, 961.2, "%")], result.BEFORE, result.AFTER))
 
     def by_month(self, name, readings=True):
         """Read by four weeks, of which the result has the readings, or has not."""

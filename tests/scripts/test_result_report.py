@@ -340,7 +340,8 @@ class Numbers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             study = stored.read(fake_results.write(pathlib.Path(folder) / "made.h5", ("retrofit",))).studies[0]
         said = list(savings.table(study))
-        self.assertEqual((len(said), said[0].head[3][0]), (1, "5 to 95 % quantile"))
+        self.assertEqual((len(said), said[0].head[3][0]), (2, "5 to 95 % quantile"))
+        self.assertIn("not what the model gets wrong", said[1])
         study.kinds = {"office/posterior": "screening"}
         table, sentence = savings.table(study)
         self.assertEqual(table.head[3][0], "5 to 95 % of the best points")
