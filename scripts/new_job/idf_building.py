@@ -9,6 +9,7 @@ from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_ideal, idf_ou
     idf_schedules, idf_use, idf_ventilators
 from new_job.building import Load
 from new_job.envelopes import Envelope
+from new_job.refused import DATA, Refused
 
 EXCHANGERS = "heatexchanger:airtoair"
 # Beginnings of classes that a job could have, and what to do.
@@ -132,8 +133,8 @@ class Reader:
         air, recovered = use.ventilation()
         self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
         if self.outside is None:
-            self.outside = idf_outside.loads_of(self.model, use.schedules, self.zones, self.dark,
-                                                size_of(self.rooms)[0], self.left_out)
+            self.outside = idf_outside.loads_of(self.model, use, self.zones, self.dark, size_of(self.rooms)[0],
+                                                self.left_out)
         if "people" in loads and len(self.hours) >= idf_room.LEAST_HOURS:
             gains = sum(profile.share * profile.values for profile in loads.values()) + \
                 self.fans.share * self.fans.values * area
@@ -155,6 +156,7 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
     set-points. `site`: (latitude, longitude, UTC offset), for its nights. `set_points`: of the use, where a file of
     their schedule is not there."""
     model, left_out = idf.read_model(path), []
+    refuse_templates(model)
     reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time), set_points)
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
@@ -169,6 +171,15 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
     return found
 
 
+def refuse_templates(model):
+    """Templates of systems: what they stand for is known once EnergyPlus has expanded them."""
+    templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)
+                 and kind not in idf.FIELDS]
+    if templates:
+        raise Refused(f"{model.file}: {', '.join(templates)}: templates of systems are not read; run EnergyPlus's "
+                      "ExpandObjects and give its expanded.idf", DATA)
+
+
 def left_out_of(model):
     of_units = idf_ventilators.exchangers_of_units(model)
     for beginning, says in LEFT_OUT:
@@ -177,15 +188,14 @@ def left_out_of(model):
         kinds = [several for several in kinds if several]
         if kinds:
             yield f"{sum(map(len, kinds))} {kinds[0][0].kind}{' and the like' if len(kinds) > 1 else ''}: {says}"
+    continuous = [fan for fan in idf_fans.variable_fans(model) if fan.kind.lower() == "fan:systemmodel"]
+    if continuous:
+        yield f"{len(continuous)} Fan:SystemModel of continuous speed: fans; an [[air_system]] may stand for them"
     controllers = model.all(AIR)
     cooling = [each for each in controllers if each.word(ECONOMIZER, NO_ECONOMIZER) != NO_ECONOMIZER]
     if cooling:
         yield f"economizers of {len(cooling)} of {len(controllers)} {AIR}; [[effect]] name = \"economiser\" may " \
               "stand for them, or a loop finds air that cools"
-    templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)
-                 and kind not in idf.FIELDS]
-    if templates:
-        yield f"{', '.join(templates)}: run EnergyPlus's ExpandObjects and give its expanded.idf"
 
 
 def envelope_of(found):
@@ -201,7 +211,8 @@ def loads_of(found, others):
     """Those of the file, and hot water, which is a table's where the file has none."""
     names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible", "fans": found.fans_say,
              idf_outside.OUTSIDE_LIGHTS: "lights outside",
-             **dict.fromkeys(idf_outside.OUTSIDE_EQUIPMENT.values(), "equipment outside"),
+             **dict.fromkeys(idf_outside.OUTSIDE_EQUIPMENT.values(),
+                             "equipment outside, and all that draws in zones without a thermostat"),
              idf_outside.HOT_WATER: "hot water, with losses of its tanks"}
     loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
              for name, profile in found.whole.loads.items()]

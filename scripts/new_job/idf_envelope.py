@@ -290,11 +290,21 @@ class Reader:
         for surface in (surface for zone in rooms for surface in zone.surfaces):
             self.add(surface)
         for mass in self.model.all("InternalMass"):
-            zone = self.zones.get(mass.word("zone_or_zonelist_name"))
-            if zone in rooms:
-                self.shell.heat_capacity += mass_of(self.model, mass) * zone.multiplier * \
-                    mass.number("surface_area", 0, 0, 1e7)
+            for zone in self.zones_of(mass):
+                if zone in rooms:
+                    self.shell.heat_capacity += mass_of(self.model, mass) * zone.multiplier * \
+                        mass.number("surface_area", 0, 0, 1e7)
         return self.shell
+
+    def zones_of(self, mass):
+        """Zones that have it, each by its own area: one, those of a list, or of spaces."""
+        name = mass.word("zone_or_zonelist_name") or mass.word("space_or_spacelist_name")
+        of_list = self.model.find(name, "ZoneList", "SpaceList")
+        for each in [name] if of_list is None else [cell.lower() for group in of_list.rest for cell in group if cell]:
+            space = self.model.find(each, "Space")
+            zone = self.zones.get(each) or (self.zones.get(space.word("zone_name")) if space else None)
+            if zone is not None:
+                yield zone
 
     def behind(self, surface):
         """(boundary, b, outer film), or None of what nothing passes."""
@@ -302,6 +312,9 @@ class Reader:
         if outside == "outdoors":
             return "outdoors", 1, R_OUTSIDE
         if outside in GROUNDS:
+            if outside == "foundation":
+                self.left_out.append("Foundation:Kiva: floors and walls of it lie on the ground of "
+                                     f"{GROUND_CLASSES[GROUND][0]}")
             return GROUND, 1, 0
         if outside == "groundfcfactormethod":
             return FACTOR_GROUND if FACTOR_GROUND in self.shell.grounds else "outdoors", 1, 0

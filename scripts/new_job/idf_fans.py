@@ -24,13 +24,25 @@ FANS = {"Fan:SystemModel": ("design_maximum_air_flow_rate", "design_pressure_ris
         **dict.fromkeys(("Fan:ConstantVolume", "Fan:OnOff"),
                         ("maximum_flow_rate", "pressure_rise", "motor_in_airstream_fraction"))}
 EFFICIENCY, MOTOR, IN_STREAM = 0.7, 0.9, 1   # EnergyPlus's defaults
+SPEED = "speed_control_method"
 # m3/(s m2) where EnergyPlus finds the size: 90 W/m2 of cooling, and the middle of what EnergyPlus takes for a coil of
 # one speed, 4.0e-5 to 6.0e-5 m3/s a W.
 USUAL_FLOW = 90 * 5e-5
 
 
+def constant_fans(model):
+    """[(fan, names of its flow, pressure and motor's share)]"""
+    return [(fan, *keys) for kind, keys in FANS.items() for fan in model.all(kind) if fan.word(SPEED) != "continuous"]
+
+
+def variable_fans(model):
+    """Fans that change their flow."""
+    return [*model.all("Fan:VariableVolume"), *(fan for fan in model.all("Fan:SystemModel")
+                                                if fan.word(SPEED) == "continuous")]
+
+
 def says(model):
-    sizes = [fan.number(FANS[kind][0]) for kind in FANS for fan in model.all(kind)]
+    sizes = [fan.number(flow) for fan, flow, *_ in constant_fans(model)]
     return "fans" if None not in sizes else f"fans; where the file has no size {1000 * USUAL_FLOW:g} l/(s m2)"
 
 
@@ -50,10 +62,11 @@ def load_of(model, schedules, area):
     """Of all fans, by floor area [W/m2]."""
     running = {unit.word(key): share_of_time(schedules, unit) for unit in model.all(*UNITS, *ROOM_UNITS)
                for key in FAN_OF_UNIT if unit.text(key)}
-    fans = [(fan, *keys) for kind, keys in FANS.items() for fan in model.all(kind)]
+    fans = constant_fans(model)
+    n_fans = len(fans) + len(variable_fans(model))
     total, heat = idf_schedules.constant(0), 0.0
     for fan, flow, pressure, in_stream in fans:
-        power = fan.number(flow, USUAL_FLOW * area / len(fans), 0, 1e4) * fan.number(pressure, 0, 0, 1e5) / \
+        power = fan.number(flow, USUAL_FLOW * area / n_fans, 0, 1e4) * fan.number(pressure, 0, 0, 1e5) / \
             fan.number("fan_total_efficiency", EFFICIENCY, 0.01, 1)
         motor = fan.number("motor_efficiency", MOTOR, 0.01, 1)
         time = schedules.of(fan, "availability_schedule_name")

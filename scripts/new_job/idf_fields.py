@@ -87,6 +87,11 @@ _TABLE = {
     "wateruse:equipment": "name end_use_subcategory peak_flow_rate flow_rate_fraction_schedule_name "
                           "target_temperature_schedule_name hot_water_supply_temperature_schedule_name "
                           "cold_water_supply_temperature_schedule_name zone_name",
+    "wateruse:connections":
+        "name inlet_node_name outlet_node_name supply_water_storage_tank_name reclamation_water_storage_tank_name "
+        "hot_water_supply_temperature_schedule_name cold_water_supply_temperature_schedule_name "
+        "drain_water_heat_exchanger_type drain_water_heat_exchanger_destination "
+        "drain_water_heat_exchanger_u_factor_times_area",
     "waterheater:mixed":
         "name tank_volume setpoint_temperature_schedule_name deadband_temperature_difference maximum_temperature_limit "
         "heater_control_type heater_maximum_capacity heater_minimum_capacity heater_ignition_minimum_flow_rate "
@@ -305,6 +310,7 @@ REST = {
     **dict.fromkeys(("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed", "floor:detailed"), _VERTICES),
     "zonehvac:equipmentlist": ("equipment", ("zone_equipment_object_type", "zone_equipment_name")),
     "zonelist": ("zones", ("zone_name",)), "spacelist": ("spaces", ("space_name",)),
+    "wateruse:connections": ("connections", ("water_use_equipment_name",)),
     "schedule:compact": ("data", ("field",)),
     "schedule:year": ("schedule_weeks", ("schedule_week_name", "start_month", "start_day", "end_month", "end_day")),
     "schedule:week:compact": ("data", ("daytype_list", "schedule_day_name")),

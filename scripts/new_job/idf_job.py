@@ -16,6 +16,7 @@ from new_job.job import NOT_COOLED, section
 SAME_SHARE = 6                 # digits by which hours of two rooms are the same
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
 MOST_AIR = 20                  # 1/h, that a job takes
+MOST_DENSITY = 1e4            # W/m2, that a job takes
 MOST_G, LEAST_SHARE, MOST_FACTOR = 0.95, 0.3, 3
 OF_ROOMS = ("infiltration", "ventilation", "people", "heat_capacity")   # numbers that each room has of its own
 
@@ -39,6 +40,16 @@ def flows(room):
     """Profiles of air changes, by name."""
     return (("infiltration", np.minimum(room.infiltration, MOST_AIR)),
             ("ventilation", np.minimum(room.ventilation, MOST_AIR)))
+
+
+def cut_air(first):
+    """Tells of rooms whose air a job would not take."""
+    lost = [(room, sum(float(np.maximum(profile - MOST_AIR, 0).mean()) * room.volume
+                       for profile in (room.infiltration, room.ventilation))) for room in first.model.rooms]
+    lost = [(room, flow) for room, flow in lost if flow > 0]
+    if lost:
+        first.told.check(f"air of {', '.join(room.name for room, _ in lost)}: above {MOST_AIR} 1/h, which a job takes "
+                         f"at most; {sum(flow for _, flow in lost):.0f} m3/h are left out")
 
 
 def profiles(room):
@@ -176,14 +187,19 @@ def set_points(first, room, names):
         heating = value_of("heating", room.heating, names.get((room.name, "heating")))
     if room.cooling is not None:
         cooling = value_of("cooling", room.cooling, names.get((room.name, "cooling")))
-    is_cooled = first.plant.cooling is not None and (room.cooling is not None or not first.model.has_thermostat)
-    tell_guessed(first, is_cooled)
-    return heating, cooling if is_cooled else NOT_COOLED
+    tell_guessed(first, is_cooled(first, room))
+    return heating, cooling if is_cooled(first, room) else NOT_COOLED
 
 
-def tell_guessed(first, is_cooled):
+def is_cooled(first, room):
+    """Whether something cools it below what no room reaches."""
+    own = not first.model.has_thermostat if room.cooling is None else room.cooling.min() < NOT_COOLED
+    return first.plant.cooling is not None and own
+
+
+def tell_guessed(first, cools):
     """Set-points of a table, where the file has none."""
-    guessed = [f"{mode}_set_point" for mode, is_used in (("heating", True), ("cooling", is_cooled))
+    guessed = [f"{mode}_set_point" for mode, is_used in (("heating", True), ("cooling", cools))
                if is_used and getattr(first.model.whole, mode) is None]
     if guessed:
         first.told.check(f"{' and '.join(guessed)}: {os.path.basename(first.model.file)} has no thermostat for it "
@@ -294,14 +310,24 @@ def load_priors(first):
     for group, loads in groups.items():
         targets = [target for name in loads for target in load_targets(first, name)]
         if targets:
-            yield priors.factor(group, targets, 0.2, 3, 0.3, "relative to the file's")
+            yield priors.factor(group, targets, 0.2, min(3, most_of_loads(first, loads)), 0.3,
+                                "relative to the file's")
     for load in first.loads:
         targets = load_targets(first, load.name)
         if load.name == "people":
             yield priors.level("people", targets, load.value, 0.3 * load.value, "[W/m2]")
         if load.name == HOT_WATER and HOT_WATER not in of_file:
+            first.told.check(f"hot_water: the file has none that burns {load.carrier}; a usual {load.value:.2g} W/m2 of "
+                             "the use was taken: write 0 where there is none")
             yield priors.level("hot_water", targets, load.value, max(0.5 * load.value, 0.25 * load.most, 0.3),
                                "[W/m2] at all hours", reach=load.most)
+
+
+def most_of_loads(first, names):
+    """Up to which no room's load is more than a job takes."""
+    most = max(float(room.loads[name].values.max()) for room in first.model.rooms for name in names
+               if name in room.loads)
+    return math.floor(100 * MOST_DENSITY / rounded(most)) / 100
 
 
 def load_targets(first, name):
@@ -316,10 +342,12 @@ def plant_priors(first):
 
 
 def plant_targets(first, key):
-    """A set-back is one of the rooms that have it."""
+    """A set-back is one of the rooms that have it; a cooling set-point of those that are cooled."""
+    mode = key.partition("_")[0]     # heating or cooling
+    if key == "cooling_set_point":
+        return targets_of(first, key, lambda room: is_cooled(first, room))
     if not key.endswith(".low"):
         return targets_of(first, key)
-    mode = key.partition("_")[0]     # heating or cooling
     return targets_of(first, key, lambda room: not is_constant(profiles(room).get(mode, 0)))
 
 
@@ -350,6 +378,7 @@ def priors_of(first):
 
 
 def idf_text(first):
+    cut_air(first)
     hours = hours_of(first.model)
     parts = (job.site, job.holidays, job.weather, job.periods, partial(schedules, hours=hours), constructions,
              partial(zones, hours=hours), job.plant, job.meters)

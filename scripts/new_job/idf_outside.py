@@ -2,7 +2,7 @@
 
 Source: EnergyPlus Input Output Reference, Exterior:Lights and FuelEquipment, WaterUse:Equipment, WaterHeater:Mixed;
 Engineering Reference, Water Mains Temperatures (Christensen and Burch). Lights of an astronomical clock burn while the
-sun is down. Leaves out pumps, parasitic power, and heaters other than mixed tanks.
+sun is down. Leaves out pumps, parasitic power of another fuel than the tank's, and heaters other than mixed tanks.
 """
 import math
 
@@ -100,20 +100,36 @@ def mains(model, schedules):
     return by_month((mean + 6 + ratio * span / 2 * np.sin(np.radians(0.986 * (day - 15 - lag) - 90)) - 32) / 1.8)
 
 
+def on_loops(model):
+    """Names of the equipment that a loop brings hot water to."""
+    return {cell.lower() for connection in model.all("WaterUse:Connections") for group in connection.rest
+            for cell in group}
+
+
+def temperature_drawn(thing, schedules, supplied):
+    """[degC] of the water that is drawn; None where all of it is cold. `supplied`: names of those on a loop, and its
+    temperature. Without a target it is all hot."""
+    for key in ("target_temperature_schedule_name", "hot_water_supply_temperature_schedule_name"):
+        if thing.text(key):
+            return schedules.of(thing, key)
+    names, hot = supplied
+    return hot if thing.name.lower() in names else None
+
+
 def drawn(model, schedules, zones, heaters):
     """Heat of the water that is drawn [W]; a zone that stands for several draws for them."""
     cold, total = mains(model, schedules), idf_schedules.constant(0)
+    hot = sum(schedules.of(heater, "setpoint_temperature_schedule_name") for heater in heaters) / len(heaters)
     for thing in model.all(DRAW):
-        key = next((key for key in ("target_temperature_schedule_name", "hot_water_supply_temperature_schedule_name")
-                    if thing.text(key)), None)
-        if key is None:        # all of it is cold
+        temperature = temperature_drawn(thing, schedules, (on_loops(model), hot))
+        if temperature is None:
             continue
         zone = zones.get(thing.word("zone_name"))
         flow = thing.number("peak_flow_rate", 0, 0, 10) * (zone.multiplier if zone else 1) * \
             schedules.of(thing, "flow_rate_fraction_schedule_name")
         own = thing.text("cold_water_supply_temperature_schedule_name")
         from_cold = schedules.of(thing, "cold_water_supply_temperature_schedule_name") if own else cold
-        total += WATER * flow * np.maximum(schedules.of(thing, key) - from_cold, 0)
+        total += WATER * flow * np.maximum(temperature - from_cold, 0)
     for heater in heaters:     # a tank without a loop has its own use
         flow = heater.number("peak_use_flow_rate", 0, 0, 10) * \
             schedules.of(heater, "use_flow_rate_fraction_schedule_name")
@@ -130,27 +146,60 @@ def kept_warm(heater, schedules):
     return heater.number("off_cycle_loss_coefficient_to_ambient_temperature", 0, 0, 1e4) * np.maximum(water - air, 0)
 
 
+def parasitic(heaters, carrier):
+    """Fuel of that kind which tanks take while they do not heat, taken as that of all hours, and its heat to the water
+    [W]."""
+    taken = given = 0.0
+    for heater in heaters:
+        if CARRIERS.get(heater.word("off_cycle_parasitic_fuel_type")) == carrier:
+            rate = heater.number("off_cycle_parasitic_fuel_consumption_rate", 0, 0, 1e6)
+            taken += rate
+            given += rate * heater.number("off_cycle_parasitic_heat_fraction_to_tank", 0, 0, 1)
+    return taken, given
+
+
+def fuel_of(heater):
+    return CARRIERS.get(heater.word("heater_fuel_type"), "")
+
+
+def largest_fuel(heaters):
+    """The fuel of the meters by which tanks together heat most, whatever their order; "" without any. A size that
+    EnergyPlus finds counts as 1 W."""
+    sizes = {}
+    for heater in heaters:
+        if fuel_of(heater):
+            sizes[fuel_of(heater)] = sizes.get(fuel_of(heater), 0) + \
+                heater.number("heater_maximum_capacity", 1, 0, 1e9)
+    return max(sorted(sizes), key=lambda fuel: sizes[fuel], default="")
+
+
 def hot_water(model, schedules, zones, left_out):
-    """(fuel or power [W], its carrier); the tanks of several fuels are taken to have the first."""
+    """(fuel or power [W], its carrier); the tanks of several fuels are taken to have that of most of them."""
     heaters = [heater for heater in model.all(HEATER) if heater.text("setpoint_temperature_schedule_name")]
-    fuels = [CARRIERS.get(heater.word("heater_fuel_type"), "") for heater in heaters]
-    if not fuels or not fuels[0]:
+    fuels, carrier = sorted(set(map(fuel_of, heaters))), largest_fuel(heaters)
+    if not carrier:
         if model.all(DRAW):
             left_out.append(f"{DRAW}: hot water without a {HEATER} that burns a fuel of the meters; a load may stand "
                             "for it")
         return idf_schedules.constant(0), ""
-    if len(set(fuels)) > 1:
-        left_out.append(f"{HEATER} by {' and '.join(sorted(set(fuels)))}: {fuels[0]} was taken for all")
+    if len(fuels) > 1:
+        left_out.append(f"{HEATER} by {' and '.join(fuel or 'other fuels' for fuel in fuels)}: {carrier}, which heats "
+                        "most, was taken for all")
     total = drawn(model, schedules, zones, heaters) + sum(kept_warm(heater, schedules) for heater in heaters)
     efficiency = np.mean([heater.number("heater_thermal_efficiency", USUAL_EFFICIENCY, 0.05, 10) for heater in heaters])
-    return total / efficiency, fuels[0]
+    taken, given = parasitic(heaters, carrier)
+    return taken + np.maximum(total - given, 0) / efficiency, carrier
 
 
-def loads_of(model, schedules, zones, dark, area, left_out):
-    """{name: Profile by floor area, in W/m2}, of what there is."""
+def loads_of(model, use, zones, dark, area, left_out):
+    """{name: Profile by floor area, in W/m2}, of what there is. `use`: the idf_use.Reader of the rooms; what stands in
+    zones without a thermostat draws as things outdoors do."""
+    schedules = use.schedules
     water, carrier = hot_water(model, schedules, zones, left_out)
     found = {OUTSIDE_LIGHTS: Profile(lights(model, schedules, dark) / area, 0, "electricity"),
              HOT_WATER: Profile(water / area, 0, carrier)}
-    found |= {OUTSIDE_EQUIPMENT[fuel]: Profile(power / area, 0, fuel)
-              for fuel, power in equipment(model, schedules, left_out).items()}
+    unfelt = equipment(model, schedules, left_out)
+    for fuel, power in use.without_thermostat().items():
+        unfelt[fuel] = unfelt.get(fuel, 0) + power
+    found |= {OUTSIDE_EQUIPMENT[fuel]: Profile(power / area, 0, fuel) for fuel, power in unfelt.items()}
     return {name: profile for name, profile in found.items() if profile.values.any()}

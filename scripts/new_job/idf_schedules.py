@@ -137,8 +137,11 @@ def without_holes(thing, profile):
     return profile
 
 
-def compact(_, thing):
+def compact(model, thing):
     reader = CompactReader(thing)
+    if any(said.lower().replace(" ", "") == "interpolate:linear" for (said,) in thing.rest):
+        model.checks.append(f'{thing.kind} "{thing.name}": Interpolate: Linear: its values were taken to hold until '
+                            "their times")
     for (said,) in thing.rest:
         if said:
             reader.read(said)

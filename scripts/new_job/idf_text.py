@@ -45,6 +45,8 @@ def of_idf(path, checks):
     given = read_bytes(path)
     if not encoding_of(given) and b"\0" in given:
         raise Refused(f"{path}: has bytes of 0, as UTF-16 or a file that is no text; expected an IDF file in UTF-8")
+    if not given.strip():
+        raise Refused(f"{path}: is empty; expected an EnergyPlus file")
     text, encoding = decoded(given)
     if encoding == WINDOWS:
         checks.append(f"{path}: is not UTF-8; it was read as Windows-1252: save it as UTF-8 if letters are wrong")

@@ -61,11 +61,11 @@ class Reader:
         floors = [s for s in zone.surfaces if s.kind == "floor" and s.given.word("space_name") == name]
         return [(zone, sum(s.gross for s in floors) or zone.area)]
 
-    def conditioned_targets(self, thing, key=TARGET):
+    def conditioned_targets(self, thing, key=TARGET, tells=True):
         """Those among the rooms; zones without a thermostat are told."""
         found = self.targets(thing, key)
         for zone, _ in found:
-            if not zone.is_conditioned:
+            if tells and not zone.is_conditioned:
                 self.left_out.append(f'{thing.kind} of zone "{zone.name}", which has no thermostat')
         return [(zone, area) for zone, area in found if zone in self.rooms]
 
@@ -121,12 +121,24 @@ class Reader:
         total, heat = idf_schedules.constant(0), 0.0
         for thing in self.model.all(kind):
             share = max(0, 1 - sum(thing.number(key, 0, 0, 1) for key in NOT_IN_ROOM))
-            for zone, area in self.conditioned_targets(thing):
+            for zone, area in self.conditioned_targets(thing, tells=False):
                 power = zone.multiplier * self.power(thing, level, zone, area)
                 added = power * self.schedules.of(thing, "schedule_name")
                 total += added
                 heat += share * added.mean()
         return Profile(total, heat / total.mean() if total.any() else 1, carrier)
+
+    def without_thermostat(self):
+        """{carrier: [W]} of what draws in zones without a thermostat, which no room feels."""
+        found = {}
+        for _, kind, level, carrier in LOADS:
+            for thing in self.model.all(kind):
+                for zone, area in self.targets(thing, TARGET):
+                    if zone.is_conditioned:
+                        continue
+                    power = zone.multiplier * self.power(thing, level, zone, area)
+                    found[carrier] = found.get(carrier, 0) + power * self.schedules.of(thing, "schedule_name")
+        return found
 
     def loads(self):
         """{name: Profile in W}"""

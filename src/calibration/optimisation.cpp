@@ -245,11 +245,14 @@ study::Conclusion Optimisation::conclude(
     if (!history.round_best.empty())
         datasets.vector("round_best", "round", history.round_best);
     add_front(history.optimiser, datasets);
+    datasets.failures(history.failures);
+    const std::size_t row = best_row(history.optimiser.found());
+    if (!std::isfinite(history.optimiser.found()[row].objectives[0]))
+        return {datasets.take(), {}};  // all points failed
     const Matrix found = history.optimiser.found_points();
-    const auto best = found.row(best_row(history.optimiser.found()));
+    const auto best = found.row(row);
     datasets.vector("at_bound", "parameter", at_bounds(goal_->parameters(), best));
     goal_->describe(best, datasets);
-    datasets.failures(history.failures);
     return {datasets.take(), summaries_of(name_, *goal_, best)};
 }
 

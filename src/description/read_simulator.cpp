@@ -110,6 +110,7 @@ OutputRule read_output(const schema::Section& section) {
         at_key(section, "pattern", [&] { external::check_pattern(rule.pattern); });
     }
     read_take(section, rule);
+    rule.rows = static_cast<int>(section.integer("rows"));
     rule.factor = section.number("factor");
     rule.offset = section.number("offset");
     return rule;

@@ -232,6 +232,8 @@ Reading reduce(const OutputRule& rule, const Readings& found) {
         return Reading{0, fmt::format("{}: {} {}", rule.file, what_of(rule), why)};
     };
     if (n == 0) return fail("no number");
+    if (rule.rows > 0 && n != static_cast<std::size_t>(rule.rows))
+        return fail(fmt::format("{} numbers, but rows = {}", n, rule.rows));
     if (rule.take == Take::only && n > 1)
         return fail(fmt::format("{} numbers, not one: say which to take", n));
     if (rule.take == Take::row && n < static_cast<std::size_t>(rule.row))

@@ -27,7 +27,8 @@ struct OutputRule {
     /// (in its first 4,000 characters).
     std::string pattern;
     Take take = Take::only;
-    int row = 1;  ///< with Take::row: which of the numbers, from 1
+    int row = 1;   ///< with Take::row: which of the numbers, from 1
+    int rows = 0;  ///< how many numbers there have to be; 0 = any
     double factor = 1, offset = 0;
 };
 

@@ -183,6 +183,11 @@ std::vector<GridTarget> targets_of(const TargetSpecs& specs,
             "output and measured");
     std::vector<GridTarget> targets;
     for (const TargetSpec& target : specs) {
+        if (target.simulator_output.empty())
+            throw std::invalid_argument(fmt::format(
+                "the target of a [simulator] has no output; expected output = "
+                "\"{}\" in place of quantity",
+                fmt::join(names, "\" or \"")));
         if (std::ranges::count(names, target.simulator_output) == 0)
             throw std::invalid_argument(fmt::format(
                 "\"{}\" is no output of the simulator{}", target.simulator_output,

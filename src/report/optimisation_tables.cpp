@@ -53,10 +53,14 @@ std::string target_tables(const Group& study) {
     if (targets.empty()) return {};
     const auto &measured = study.values("target_measured"),
                &errors = study.values("nearest_target_error");
-    TextTable aims({"target", "measured", "unit", "error of best %"});
-    for (std::size_t t = 0; t < targets.size(); ++t)
-        aims.add({targets[t], in_short(measured[t]), units[t],
-                  errors.empty() ? "-" : fmt::format("{:+.4f}", errors[t])});
+    std::vector<std::string> head{"target", "measured", "unit"};
+    if (!errors.empty()) head.emplace_back("error of best %");
+    TextTable aims(head);
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        std::vector<std::string> cells{targets[t], in_short(measured[t]), units[t]};
+        if (!errors.empty()) cells.push_back(fmt::format("{:+.4f}", errors[t]));
+        aims.add(std::move(cells));
+    }
     const auto &names = study.texts("parameter"), &own = study.texts("parameter_unit");
     TextTable best({"parameter", "best", "unit"});
     for (std::size_t p = 0; p < names.size(); ++p)
@@ -79,6 +83,10 @@ std::string bound_lines(const Group& study) {
 }  // namespace
 
 std::string optimisation_section(const Group& study) {
+    if (study.values("at_bound").empty())
+        return fmt::format("\n{}: none of {:.0f} evaluations could be simulated\n",
+                           study.path(), study.value("n_points")) +
+               failure_lines(study);
     const bool has_targets = !study.texts("target").empty();
     return fmt::format("\n{}: {}best of {:.0f} evaluations\n", study.path(),
                        has_targets ? "" : "nominal -> ", study.value("n_points")) +

@@ -48,7 +48,7 @@ int make(std::vector<std::string> words, const fs::path& page) {
 constexpr std::size_t most_pages = 12;
 
 constexpr const char* nothing_to_show =
-    "as no study has a result that pictures show, which one that is not reached has not";
+    "as no study has a result that pictures show: one that was not reached has none";
 constexpr const char* needs = "which takes Python with h5py, matplotlib and jinja2";
 
 /// Makes the page, unless something stands in its place.

@@ -67,6 +67,8 @@ constexpr Key simulator_table[] = {
      "only", 0, 0, "Which of the numbers found; only: more than one is a failure."},
     {"simulator.output", "row", Type::integer, "", "", 1, 1e9,
      "In place of take: the number in that place, from 1."},
+    {"simulator.output", "rows", Type::integer, "", "0", 0, 1e9,
+     "How many numbers there have to be: a run that wrote more or fewer has failed; 0 = any."},
     {"simulator.output", "header", Type::integer, "", "1", 1, 1e6,
      "Line of the file with the names of its columns."},
     {"simulator.output", "skip", Type::integer, "", "0", 0, 1e6,

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace bemcal::external {
@@ -54,6 +55,20 @@ TEST(OutputRule, TakesARow) {
     rule.row = 3;
     EXPECT_EQ(read(table, rule).failure,
               "out.csv: the column \"Gas [J](Hourly)\" has 2 numbers, but row = 3");
+}
+
+TEST(OutputRule, FailsWithMoreOrFewerNumbersThanAskedFor) {
+    OutputRule rule = column("Gas [J](Hourly)", Take::sum);
+    rule.rows = 2;
+    EXPECT_EQ(read(table, rule).failure, "");
+    for (const int rows : {1, 3}) {
+        rule.rows = rows;
+        EXPECT_EQ(
+            read(table, rule).failure,
+            fmt::format("out.csv: the column \"Gas [J](Hourly)\" has 2 numbers, but "
+                        "rows = {}",
+                        rows));
+    }
 }
 
 TEST(OutputRule, ReadsWhatOtherProgramsSeparateBy) {

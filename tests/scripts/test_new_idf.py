@@ -969,6 +969,68 @@ class Box(unittest.TestCase):
         self.assertNotIn("hot_water", without.whole.loads)
         self.assertIn("hot water without", "".join(without.left_out))
 
+    def test_hot_water_of_a_loop_is_all_hot_without_a_target(self):
+        text = "Schedule:Constant, Hot, , 60; Schedule:Constant, Warm, , 43; Schedule:Constant, Always, , 1;\n" \
+               "Site:WaterMainsTemperature, Schedule, Warm;\n" \
+               "WaterHeater:Mixed, Tank, 0.2, Hot, 2, 80, Cycle, 9000, , , , NaturalGas, 0.8;\nWaterUse:Equipment, Taps, , 1e-5, Always, , , , Room;\n"
+        self.assertNotIn("hot_water", self.read(BOX + text).whole.loads)      # all of it is cold
+        on_loop = self.read(BOX + text + f"WaterUse:Connections, Loop, In, Out{', ' * 8}Taps;\n").whole
+        self.assertAlmostEqual(160 * on_loop.loads["hot_water"].values.mean(),
+                               ALIKE * 1e-5 * 4.18e6 * (60 - 43) / 0.8)
+
+    def test_tanks_take_fuel_while_they_do_not_heat(self):
+        text = "Schedule:Constant, Hot, , 60; Schedule:Constant, Air, , 20;\n" \
+               "WaterHeater:Mixed, Tank, 0.2, Hot, 0, 80, Cycle, 9000, , , , NaturalGas, 0.8, , 500, {}, 0.25, , , , " \
+               "Schedule, Air, , , 6, , 6;\n"
+        for fuel, taken, given in (("NaturalGas", 500, 125), ("Electricity", 0, 0)):
+            water = self.read(BOX + text.format(fuel)).whole.loads["hot_water"]
+            self.assertAlmostEqual(160 * water.values.mean(), taken + (6 * 40 - given) / 0.8)
+
+    def test_the_fuel_of_several_tanks_does_not_follow_their_order(self):
+        tanks = [f"WaterHeater:Mixed, {fuel}, 0.2, Hot, 2, 80, Cycle, {size}, , , , {fuel}, 0.8, , , , , , , , "
+                 "Schedule, Hot, , , 6, , 6, , 1e-5, Work;\n" for fuel, size in (("NaturalGas", 9000), ("Electricity", 5000))]
+        for order in (tanks, tanks[::-1]):
+            found = self.read(BOX + "Schedule:Constant, Hot, , 60;\n" + "".join(order))
+            self.assertEqual(found.whole.loads["hot_water"].carrier, "gas")
+            self.assertIn("WaterHeater:Mixed by electricity and gas: gas, which heats most", "".join(found.left_out))
+
+    def test_what_draws_without_a_thermostat_is_metered(self):
+        both, without_one = TWO, without(TWO, "ZoneControl:Thermostat, Frost")
+        self.assertNotIn("outside_equipment", self.read(both).whole.loads)
+        found = self.read(without_one)
+        load = found.whole.loads["outside_equipment"]
+        self.assertEqual((load.carrier, load.share), ("electricity", 0))
+        self.assertAlmostEqual(160 * load.values.max(), 3 * 80)
+        self.assertNotIn("Lights of zone", "".join(found.left_out))
+
+    def test_masses_of_a_list_are_those_of_each_zone(self):
+        mass = "InternalMass, Shelves, Wall, {}, , 40;\n" \
+               "ZoneList, All, Room;\n"
+        bare, one, of_list = (self.read(BOX + text).whole.shell.heat_capacity
+                              for text in ("", mass.format("Room"), mass.format("All")))
+        self.assertGreater(one, 1.1 * bare)
+        self.assertEqual(of_list, one)
+
+    def test_a_fan_of_continuous_speed_changes_its_flow(self):
+        fan = "Fan:SystemModel, {}, , In, Out, {}, {}, 0, 600, 0.8, 0.5, , , , , 0.5;\n"
+        found = self.read(BOX + fan.format("A", 2, "Continuous"))
+        self.assertNotIn("fans", found.whole.loads)
+        self.assertIn("1 Fan:SystemModel of continuous speed", "".join(found.left_out))
+        one, beside = (self.read(BOX + text).whole.loads["fans"].values.max() for text in (
+            fan.format("A", "autosize", "Discrete"),
+            fan.format("A", "autosize", "Discrete") + fan.format("B", "autosize", "Continuous")))
+        self.assertAlmostEqual(beside, one / 2)
+
+    def test_templates_of_systems_are_refused(self):
+        with self.assertRaisesRegex(Refused, "HVACTemplate:Zone:PTAC.*ExpandObjects"):
+            self.read(BOX + "HVACTemplate:Zone:PTAC, Room, Stat;\n")
+
+    def test_interpolated_schedules_and_kiva_are_told(self):
+        found = self.read(BOX.replace("Work, Fraction, Through: 6/30", "Work, Fraction, Interpolate: Linear, "
+                                      "Through: 6/30").replace("Slab, Room, , Ground", "Slab, Room, , Foundation"))
+        self.assertIn("Interpolate: Linear", "".join(found.checks))
+        self.assertIn("Foundation:Kiva", "".join(found.left_out))
+
     def test_mains_are_as_energyplus_has_them(self):
         """Its correlation: yearly mean 9.69 degC + 6 degF, in Chicago 28.1 K between months, coldest in winter."""
         model = types.SimpleNamespace(all=lambda kind: [types.SimpleNamespace(

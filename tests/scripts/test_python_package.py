@@ -438,8 +438,10 @@ class Runs(Folder):
         effects = self.result.effects
         self.assertEqual(list(effects.index), list(self.stored("loop/effect")))
         self.assertEqual(len(effects), 1)
-        for column in ("coefficient", "least", "most", "unit", "hook", "separates"):
+        for column in ("unit", "hook", "separates"):
             self.assertEqual(effects[column].iloc[0], self.stored(f"loop/effect_{column}")[0])
+        self.assertEqual(self.stored("loop/effect_least")[0], self.stored("loop/effect_most")[0])     # hours: a choice
+        self.assertTrue(effects[["coefficient", "least", "most"]].isna().all(axis=None))
         self.assertIs(bool(effects["adequate"].iloc[0]), bool(self.stored("loop/effect_adequate")[0]))
         brings = dict(zip(self.stored("loop/effect_value_of"), self.stored("loop/effect_value")))
         self.assertGreater(abs(brings["electricity"]), 0)

@@ -16,6 +16,7 @@ import os
 import pathlib
 import re
 import shutil
+import sys
 import tempfile
 import warnings
 from dataclasses import dataclass
@@ -36,7 +37,8 @@ NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
 NOT_OF_THE_USER = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates")
 TIMES: Dict[str, Literal["s", "D"]] = {     # units of times, and what pandas calls them
     "seconds since 1970-01-01 00:00:00": "s", "days since 1970-01-01": "D"}
-PYARROW = "pip install \"pyarrow<26\", the last for Debian 12's NumPy 1.24, or any with NumPy 2"
+PYARROW = "pip install \"pyarrow<26\", the last for Debian 12's NumPy 1.24, or any with NumPy 2 (Debian's own Python " \
+          "asks for --break-system-packages, too)"
 FIRST = ("measured", "nominal", "plain", "before", "best", "after")     # columns of a series, others behind
 
 Path = Union[str, "os.PathLike[str]"]
@@ -173,7 +175,8 @@ def is_installed(module: str) -> bool:
 def check_pyarrow() -> None:
     """Whether it is there and starts: each of its versions takes a least one of NumPy."""
     if not is_installed("pyarrow"):
-        raise Error(f"Parquet takes pyarrow, which is not installed: {PYARROW}; CSV does without", ExitCode.NO_INPUT)
+        raise Error(f"Parquet takes pyarrow, which {sys.executable} has not: {sys.executable} -m {PYARROW}; CSV does "
+                    "without", ExitCode.NO_INPUT)
     try:
         importlib.import_module("pyarrow")
     except ImportError as error:
@@ -301,7 +304,7 @@ class Result:
         """The effects that a loop found, a row each, by name. Several may have the same one ("other hours than
         declared"): `follows` tells them apart, and reset_index() numbers them as `row` of `effect_values_of` does.
 
-        coefficient, least, most   as calibrated, and its 90 % interval, in `unit`
+        coefficient, least, most   as calibrated, and its 90 % interval, in `unit`; NaN of what is there or not
         hook, follows, gate        where it enters, what it follows and how, when
         gain                       of evidence, in -2 log
         probability                that it is the cause; what is missing to 1 is others, or none that has a name
@@ -317,6 +320,8 @@ class Result:
         table = pd.DataFrame({name: loop[f"effect_{own}"].to_numpy() for name, own in names.items()},
                              index=pd.Index(loop["effect"].to_numpy(), name="effect"))
         table["adequate"] = table["adequate"] == 1
+        is_choice = table["least"] == table["most"]       # there or not, without a size
+        table.loc[is_choice, ["coefficient", "least", "most"]] = np.nan
         of, members = loop["effect_class_of"].to_numpy().astype(int), loop["effect_class_member"].to_numpy()
         probabilities = loop["effect_class_probability"].to_numpy() if "effect_class_probability" in loop \
             else np.full(len(of), np.nan)
