@@ -109,7 +109,7 @@ class NightsOfLoops(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual((rows[0]["building"], rows[0]["change"]), (self.stock.lines[CHANGED]["name"], "new"))
         self.assertTrue(rows[0]["effect"].startswith("gas: "))
-        self.assertIn("Changed since the night before", (self.folder / "second.html").read_text(encoding="utf-8"))
+        self.assertIn("Changed, or found anew", (self.folder / "second.html").read_text(encoding="utf-8"))
 
     def test_a_night_is_the_same_on_any_ranks_and_after_a_stop(self):
         whole = self.hash_of(self.second)
