@@ -1,6 +1,6 @@
-/// Checks what the schema cannot say of keys that fit meters: a weight for each name, none
-/// below 0, one above. Follows from the objective, a sum over the meters by their weights.
-/// Leaves out whether the meters are there (`learning`, `names`).
+/// Checks what the schema cannot say of keys that fit meters: a weight for each name,
+/// none below 0, one above. Follows from the objective, a sum over the meters by their
+/// weights. Leaves out whether the meters are there (`learning`, `names`).
 #include "job/fit_keys.hpp"
 
 #include <algorithm>
