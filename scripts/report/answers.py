@@ -16,6 +16,7 @@ from report.words import fixed, listed, number, percent
 MOST, LEAST_SHARE = 4, 0.05            # outputs, parameters, scenarios in a sentence; a share that is told
 LEAST_RISE = 0.01                      # of a scenario's largest change: a smaller rise is not told
 CURRENCY = "currency"          # unit of a cost
+BOUGHT = ("electricity", "gas", "district")    # outputs that are bought; others are what rooms ask for
 # What the data say of unknowns, by the words of their findings.
 OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("the data tell these only together with others", ("confounded",)),
@@ -150,13 +151,17 @@ def of_savings(study):
 
 
 def of_scenario(study, saved, shown, hours):
-    """"20005 kWh of gas (19971 to 20036), but electricity rises by 5626 kWh (5617 to 5635)".
+    """"20005 kWh of gas (19971 to 20036), but electricity rises by 5626 kWh (5617 to 5635)". What rooms ask for is told
+    where no energy that is bought changes.
 
     saved  lowest, middle and highest saving [3 x output]
     """
     low, middle, high = saved
     names, units = study.texts("output"), study.texts("output_unit")
-    energies = [k for k in shown if units[k] == "kWh"] or shown
+    loads = [k for k in shown if units[k] == "kWh" and names[k] not in BOUGHT]
+    bought = [k for k in shown if names[k] in BOUGHT]
+    energies = bought if np.any(middle[bought]) else loads or shown
+    shown = [k for k in shown if k in energies or k not in loads and k not in bought]
     best = max(energies, key=lambda k: middle[k])
     falls = [k for k in shown if k == best or k not in energies and middle[k] > 0] if middle[best] > 0 else []
     text = listed([f"{amount(middle[k], units[k])} of {names[k]}{span(study, low[k], high[k])}" for k in falls]) or \
