@@ -172,6 +172,9 @@ struct Effect {
 
 /// Whether they bring the same: hook, driver, shape, gate, days, hours, facade and meter.
 bool are_equal(const Effect& a, const Effect& b);
+/// Whether both are other hours than declared, of the same days and the same: one habit
+/// that several schedules have.
+bool changed_alike(const Effect& a, const Effect& b);
 
 /// Whether what two effects bring there is the sum of what each brings, so that parts of
 /// one can be sampled.

@@ -41,6 +41,17 @@ bool are_equal(const Effect& a, const Effect& b) {
                       });
 }
 
+bool changed_alike(const Effect& a, const Effect& b) {
+    if (!a.other_hours || !b.other_hours) return false;
+    for (std::size_t kind = 0; kind < a.other_hours->hours.size(); ++kind) {
+        const auto &of_a = a.other_hours->hours[kind], &of_b = b.other_hours->hours[kind];
+        const bool is_other = of_a != a.other_hours->declared[kind];
+        if (is_other != (of_b != b.other_hours->declared[kind])) return false;
+        if (is_other && of_a != of_b) return false;
+    }
+    return true;
+}
+
 bool adds_up(Hook hook) {
     return row_of(hook).adds_up;
 }

@@ -212,8 +212,8 @@ inline constexpr double least_difference_of_halves = 0.2;
 inline constexpr double share_of_threshold = 0.5;
 /// Times most_effects: rounds at most. Judgement: what is accepted may leave.
 inline constexpr int rounds_per_effect = 3;
-/// Of a coefficient: what the hour's model is off. Data: seeds 71 and 81 of
-/// bench_loop.py.
+/// Of a coefficient, or of what hours bring: what the hour's model is off. Data: seeds 71
+/// and 81 of bench_loop.py.
 inline constexpr double error_of_model = 0.08;
 /// The same, to be divided by the root of the share of what an effect does that no other
 /// unknown can do. Data: three effects of which that is 0.002 to 0.007 (seed 500, dev_03)

@@ -2,8 +2,10 @@
 /// draws about them.
 /// Source: Gaussian approximation of the posterior (Gelman and others 2013, Bayesian Data
 /// Analysis, 4.1), its correlations from the normal equations, its deviations as printed.
-/// Two effects that act together share what they bring: each is taken out alone. What
-/// began on a date is taken as if it had been there all the time.
+/// Two effects that act together share what they bring: each is taken out alone; but
+/// schedules whose hours changed alike are one, told with the first of them. Hours have
+/// no coefficient that could be off: what another model would say is added to their
+/// interval. What began on a date is taken as if it had been there all the time.
 #include "loop/effect_values.hpp"
 
 #include "base/error.hpp"
@@ -38,12 +40,33 @@ Matrix points_about(const LoopData& data, const Standing& last,
     return points;
 }
 
-/// Without the column of one unknown.
-Matrix without(const Matrix& points, std::size_t column) {
-    Matrix fewer(points.rows, points.cols - 1);
-    for (std::size_t r = 0; r < points.rows; ++r)
-        for (std::size_t k = 0; k < fewer.cols; ++k)
-            fewer(r, k) = points(r, k < column ? k : k + 1);
+using Effects = std::vector<effects::Effect>;
+
+/// Effects that are taken out with this one, itself among them, in their order.
+std::vector<std::size_t> taken_with(const Effects& all, std::size_t effect) {
+    std::vector<std::size_t> together;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (k == effect || effects::changed_alike(all[k], all[effect]))
+            together.push_back(k);
+    return together;
+}
+
+Effects without(Effects all, const std::vector<std::size_t>& some) {
+    for (auto k = some.rbegin(); k != some.rend(); ++k)
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(*k));
+    return all;
+}
+
+/// Without the columns of some effects.
+Matrix without(const Matrix& points, const std::vector<std::size_t>& some,
+               std::size_t first_effect) {
+    Matrix fewer(points.rows, points.cols - some.size());
+    std::size_t to = 0;
+    for (std::size_t k = 0; k < points.cols; ++k) {
+        if (k >= first_effect && std::ranges::count(some, k - first_effect) > 0) continue;
+        for (std::size_t r = 0; r < points.rows; ++r) fewer(r, to) = points(r, k);
+        ++to;
+    }
     return fewer;
 }
 
@@ -88,7 +111,9 @@ std::optional<Account> weighed(const LoopData& data, const char* what, const cha
 }
 
 /// A draw that cannot be simulated has no say.
-Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
+/// \param of_model  standard deviation of what another model would say [share]
+Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account,
+               double of_model) {
     const double mean = with(0, account) - less(0, account);
     double squares = 0, n = 0;
     for (std::size_t r = 1; r < with.rows; ++r) {
@@ -97,7 +122,8 @@ Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
         squares += (difference - mean) * (difference - mean);
         n += 1;
     }
-    const double half = n > 0 ? stats::z_90_two_sided * std::sqrt(squares / n) : nan;
+    const double sd = std::hypot(std::sqrt(squares / n), of_model * mean),
+                 half = n > 0 ? stats::z_90_two_sided * sd : nan;
     return {mean, mean - half, mean + half};
 }
 
@@ -149,13 +175,15 @@ std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Pla
     const Matrix points = points_about(data, last, deviations, misfit);
     const Matrix as_it_is = totals_of(data, *last.built.fit_model, points, accounts);
     for (std::size_t k = 0; k < n_found; ++k) {
-        auto fewer = last.model.effects;
-        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+        const std::vector<std::size_t> together = taken_with(last.model.effects, k);
+        if (together[0] != k) continue;  // told with the first of them
+        const double of_model =
+            last.model.effects[k].other_hours ? decisions::error_of_model : 0;
         try {
-            const BuiltModel model = build(place, fewer);
+            const BuiltModel model = build(place, without(last.model.effects, together));
             const Matrix less =
                 totals_of(data, *model.fit_model,
-                          without(points, last.built.first_effect() + k), accounts);
+                          without(points, together, last.built.first_effect()), accounts);
             Matrix with = as_it_is;
             if (const auto whole = of_all_time(last.model.effects[k])) {
                 auto effects = last.model.effects;
@@ -164,7 +192,7 @@ std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Pla
                     totals_of(data, *build(place, effects).fit_model, points, accounts);
             }
             for (std::size_t a = 0; a < accounts.size(); ++a)
-                all[k][a] = worth_in(with, less, a);
+                all[k][a] = worth_in(with, less, a, of_model);
         } catch (const CannotSimulate&) {
             // Without it the building is none: nothing is said of its worth.
             std::ranges::fill(all[k], Worth{});

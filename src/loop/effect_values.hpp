@@ -30,7 +30,8 @@ struct Worth {
     double mean = nan, least = nan, most = nan;
 };
 
-/// With the effect less without it, all else as it is. [effects found][accounts]
+/// With the effect less without it, all else as it is; nothing of hours that are told
+/// with those of another schedule. [effects found][accounts]
 /// \param deviations  of last's unknowns, in their units
 std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Place& place,
                                                  const Standing& last,

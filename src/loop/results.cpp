@@ -198,9 +198,10 @@ class Writer {
                                             result_.misfit, accounts);
         for (std::size_t k = 0; k < worth.size(); ++k)
             for (std::size_t a = 0; a < accounts.size(); ++a)
-                loop_.effect_values.push_back({static_cast<double>(k), accounts[a].of,
-                                               accounts[a].unit, worth[k][a].mean,
-                                               worth[k][a].least, worth[k][a].most});
+                if (!std::isnan(worth[k][a].mean))
+                    loop_.effect_values.push_back({static_cast<double>(k), accounts[a].of,
+                                                   accounts[a].unit, worth[k][a].mean,
+                                                   worth[k][a].least, worth[k][a].most});
     }
 
     void effect_found(std::size_t k) {

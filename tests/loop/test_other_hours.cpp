@@ -1,9 +1,14 @@
 /// Buildings whose plant runs at other hours than declared, or just at these.
+#include "effects/catalogue.hpp"
+#include "loop/effect_values.hpp"
 #include "loop/hour_search.hpp"
+#include "loop/intervals.hpp"
 #include "loop/loop.hpp"
 #include "loop/other_hours.hpp"
 #include "loop/windy_case.hpp"
 #include "study/find.hpp"
+
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +82,39 @@ TEST(OtherHours, AreNotSoughtWhereTheJobExcludesThem) {
     const auto datasets = searched(building_with(later, 3), options);
     for (const std::string& name : find(datasets, "effect").texts)
         EXPECT_NE(name, "other hours than declared");
+}
+
+// Of two schedules that changed alike the first tells what both bring, the other nothing.
+TEST(OtherHours, OfSchedulesThatChangedAlikeAreWorthOneThing) {
+    study::Case made = building_with(later, 3);
+    made.building.zones[0].thermostat.cooling_available = {1, 0, 2};
+    made.profiles.push_back(made.profiles[1]);
+    made.profiles[2].name = "cold";
+    const LoopData data(made, quick());
+    const Place place = make_place(data, {}, data.drive);
+    const auto effect = [&](std::size_t profile, const WeekHours& hours) {
+        const ScheduleHours schedule(data, profile);
+        return effects::with_hours(
+            {made.profiles[profile].name, static_cast<int>(profile),
+             static_cast<int>(schedule.numbered_row()), 0, 1, hours, declared});
+    };
+    const auto worth_of = [&](std::vector<effects::Effect> all) {
+        LoopModel with;
+        with.effects = std::move(all);
+        const std::vector<double> x(place.unknowns.size() + with.effects.size());
+        const Standing standing = calibrate(data, place, with, x);
+        return worth_of_effects(data, place, standing, deviations_of(data, standing, 1),
+                                1, accounts_of(data));
+    };
+    const Worth alone = worth_of({effect(1, later)})[0][0];
+    const auto both = worth_of({effect(1, later), effect(2, later)});
+    EXPECT_NEAR(both[0][0].mean, alone.mean, 1e-6 * std::abs(alone.mean));
+    EXPECT_TRUE(std::isnan(both[1][0].mean));
+    // At other hours each is a thing of its own.
+    EXPECT_FALSE(std::isnan(
+        worth_of({effect(1, later), effect(2, {{{9, 22}, {8, 13}, {}}})})[1][0].mean));
+    // Hours have no coefficient: the model's error is that of what they bring.
+    EXPECT_GE(alone.most - alone.mean, 1.64 * 0.08 * std::abs(alone.mean));
 }
 
 // Odd hours and even ones: what is simulated between the best of every second hour finds
